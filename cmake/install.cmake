@@ -1,0 +1,9 @@
+# SPDX-FileCopyrightText: 2026 scan_to_path developers
+# SPDX-License-Identifier: Apache-2.0
+include(GNUInstallDirs)
+
+install(TARGETS scan_to_path_core LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS scan_to_path_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY include/scan_to_path DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/scan_to_path)
+set_target_properties(scan_to_path_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")

@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: 2026 scan_to_path developers
+# SPDX-License-Identifier: Apache-2.0
+
+# PCL's exported targets bring VTK's flags along; the core needs only the point cloud type from its headers.
+add_library(scan_to_path_pcl INTERFACE)
+target_include_directories(scan_to_path_pcl SYSTEM INTERFACE ${PCL_COMMON_INCLUDE_DIRS})
+target_link_libraries(scan_to_path_pcl INTERFACE Eigen3::Eigen)
+
+# scan_to_path_module(NAME [USES module…] [LINK target…]): static library scan_to_path_NAME of src/NAME/*.cpp.
+function(scan_to_path_module name)
+  cmake_parse_arguments(ARG "" "" "USES;LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  list(TRANSFORM ARG_USES PREPEND scan_to_path_)
+  if(sources)
+    set(target_kind PUBLIC)
+    add_library(scan_to_path_${name} STATIC ${sources})
+    set_property(GLOBAL APPEND PROPERTY scan_to_path_modules scan_to_path_${name})
+  else()
+    set(target_kind INTERFACE)
+    add_library(scan_to_path_${name} INTERFACE)
+  endif()
+  target_include_directories(scan_to_path_${name} ${target_kind} ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(scan_to_path_${name} ${target_kind} ${ARG_USES} ${ARG_LINK})
+endfunction()
+
+# One shared library of all modules, for executables and nodelets.
+function(scan_to_path_core_library)
+  get_property(modules GLOBAL PROPERTY scan_to_path_modules)
+  file(WRITE ${CMAKE_BINARY_DIR}/scan_to_path_core.cpp.in "")
+  configure_file(${CMAKE_BINARY_DIR}/scan_to_path_core.cpp.in ${CMAKE_BINARY_DIR}/scan_to_path_core.cpp COPYONLY)
+  add_library(scan_to_path_core SHARED ${CMAKE_BINARY_DIR}/scan_to_path_core.cpp)
+  target_link_libraries(scan_to_path_core PRIVATE ${modules})
+  list(JOIN modules "," whole)
+  set_target_properties(scan_to_path_core PROPERTIES LINK_LIBRARY_OVERRIDE "WHOLE_ARCHIVE,${whole}")
+  target_include_directories(scan_to_path_core PUBLIC ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(scan_to_path_core PUBLIC scan_to_path_pcl)
+endfunction()

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+#include "scan_to_path/common/error.h"
+
+namespace scan_to_path {
+
+/// How a field of an option struct is seen from outside (configuration files, ROS parameters, documents).
+///
+/// An option struct lists its fields once:
+///
+///     struct HampelOptions {
+///       double threshold = 6.0;
+///       template <class Self, class Visitor>
+///       static void fields(Self& self, Visitor&& visit) {
+///         visit(self.threshold, Field{"threshold", "sigma", "residual that makes a sample a spike", 1.0, 100.0});
+///       }
+///     };
+///
+/// and every reader, writer, check and table walks that list. A field's type is bool, int, double, std::string,
+/// an enum with EnumNames, Eigen::Vector3d, a std::vector of double or std::string, or another option struct.
+struct Field {
+  const char* name;
+  const char* unit = "";
+  const char* help = "";
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+};
+
+/// Names of an enum's values, in order from 0: specialise with `static constexpr std::array<const char*, N> names`.
+template <class Enum>
+struct EnumNames;
+
+template <class Enum>
+const char* enumName(Enum value) {
+  return EnumNames<Enum>::names[static_cast<std::size_t>(value)];
+}
+
+namespace detail {
+struct AnyVisitor {
+  template <class T>
+  void operator()(T&, const Field&) const {}
+};
+}  // namespace detail
+
+/// True for an option struct, that is, one with a static `fields`.
+template <class T, class = void>
+struct IsOptions : std::false_type {};
+template <class T>
+struct IsOptions<T, std::void_t<decltype(T::fields(std::declval<T&>(), detail::AnyVisitor{}))>> : std::true_type {};
+
+/// Throws InputError naming the first number outside its range, as "PATH.NAME is VALUE UNIT, must be in [MIN, MAX]".
+template <class Options>
+void validate(const Options& options, const std::string& path) {
+  Options::fields(options, [&path](const auto& value, const Field& field) {
+    using T = std::decay_t<decltype(value)>;
+    if constexpr (IsOptions<T>::value) {
+      validate(value, path + "." + field.name);
+    } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+      const double number = static_cast<double>(value);
+      if (!(number >= field.min && number <= field.max)) {
+        std::ostringstream text;
+        text << path << "." << field.name << " is " << value << (*field.unit != 0 ? " " : "") << field.unit
+             << ", must be in [" << field.min << ", " << field.max << "]";
+        throw InputError(text.str());
+      }
+    }
+  });
+}
+
+}  // namespace scan_to_path

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scan_to_path/geometry/frames.h"
+
+namespace scan_to_path::toolpath {
+
+using geometry::Frame;
+
+/// A contact frame on the surface and how the tool gets there.
+struct Waypoint {
+  Frame pose = Frame::Identity();  ///< contact frame: origin on the surface, z outward normal, x feed direction
+  double feed = 0.0;               ///< of the move to this waypoint [m/s]
+  bool process_on = false;         ///< true while the tool works on the move to this waypoint
+  double arc_length = 0.0;         ///< from the segment's first waypoint [m]
+};
+
+/// Waypoints that are driven without a stop: one row with its lead-in and lead-out, an approach, a link.
+struct Segment {
+  std::string name;  ///< e.g. "row_3", "approach", "link_3_4"
+  std::vector<Waypoint> waypoints;
+};
+
+struct ToolPath {
+  std::string process;                   ///< "cutting", …
+  std::string frame;                     ///< the frame of every pose, e.g. "base_link"
+  Frame T_contact_tcp = Frame::Identity();  ///< tool centre point in the contact frame, constant along the path
+  std::vector<Segment> segments;
+};
+
+std::size_t waypointCount(const ToolPath& path);
+
+/// Fills every segment's arc_length from its poses.
+ToolPath withArcLength(ToolPath path);
+
+/// path.csv as docs/file_formats.md has it: comments with frame and T_contact_tcp, then
+/// `segment,index,x,y,z,qx,qy,qz,qw,feed,process_on` (m, m/s; 1e-9 m and 1e-12 in the quaternion).
+std::string formatToolPath(const ToolPath& path);
+
+/// The inverse of formatToolPath. Throws InputError with the line number.
+ToolPath parseToolPath(const std::string& text, const std::string& name);
+
+}  // namespace scan_to_path::toolpath
