@@ -39,7 +39,7 @@ void appendFixed(std::string& text, double value, int digits) {
   const bool is_zero = std::all_of(begin, static_cast<const char*>(result.ptr),
                                    [](char c) { return c == '-' || c == '0' || c == '.'; });
   if (is_zero && *begin == '-') ++begin;
-  text.append(begin, result.ptr);
+  text.append(begin, static_cast<const char*>(result.ptr));
 }
 
 void appendInteger(std::string& text, std::int64_t value) {
