@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scan_to_path/common/options.h"
+#include "scan_to_path/common/progress.h"
+#include "scan_to_path/robot/encoders.h"
+#include "scan_to_path/robot/robot.h"
+#include "scan_to_path/scan/fitted_scan.h"
+#include "scan_to_path/scan/sample_log.h"
+#include "scan_to_path/scan/scan_cloud.h"
+#include "scan_to_path/sensing/point_laser.h"
+
+namespace scan_to_path::sensing {
+
+using geometry::Frame;
+using geometry::Vector3;
+
+/// How samples are placed in the robot's base frame.
+struct PlacementOptions {
+  double clock_offset = 0.0;
+  double max_joint_gap = 0.05;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.clock_offset, Field{"clock_offset", "s", "added to the sensor's time to get the encoders' time", -1.0, 1.0});
+    visit(self.max_joint_gap, Field{"max_joint_gap", "s", "a sample between joint readings farther apart is dropped", 0.0, 10.0});
+  }
+};
+
+/// A scan in base_link with the beam it was taken along, and what could not be placed.
+struct PlacedScan {
+  scan::ScanCloud cloud;                ///< line = no_line; time from the log's first sample
+  Vector3 mean_beam = -Vector3::UnitZ();  ///< unit, the mean viewing direction in base_link
+  std::size_t samples_in = 0;
+  std::vector<scan::Dropped> dropped;   ///< "no return", "sensor fault", "no joint reading", …
+};
+
+/// Pulses to joint angles (interpolated to the sensor's time), forward kinematics, p_B = T_BE T_EM (0, 0, d, 1)^T
+/// (seed 000 eqs. 1 and 2). Throws InputError when no sample at all can be placed, or a joint is outside its limits
+/// by more than a count, naming joint, value, sample and limit.
+PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
+                        const PointLaserOptions& laser, const Frame& T_tip_sensor, const PlacementOptions& options,
+                        int threads = 1, const Progress& progress = {});
+
+}  // namespace scan_to_path::sensing

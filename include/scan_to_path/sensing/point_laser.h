@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "scan_to_path/common/options.h"
+
+namespace scan_to_path::sensing {
+
+/// A triangulation displacement sensor with an analogue output, linear between the two ends of its range. It looks
+/// along +z of its own frame. Defaults: the seed's IL-065 behind a +-10 V converter.
+struct PointLaserOptions {
+  double distance_min = 0.055;
+  double distance_max = 0.105;
+  double voltage_min = -5.0;
+  double voltage_max = 5.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.distance_min, Field{"distance_min", "m", "distance at voltage_min", 0.0, 100.0});
+    visit(self.distance_max, Field{"distance_max", "m", "distance at voltage_max", 0.0, 100.0});
+    visit(self.voltage_min, Field{"voltage_min", "V", "output at distance_min", -100.0, 100.0});
+    visit(self.voltage_max, Field{"voltage_max", "V", "output at distance_max; outside the two: no return", -100.0, 100.0});
+  }
+};
+
+/// Distance [m] for a voltage; nothing outside the range (no return) and for NaN (fault). Spec cutting, step 1.
+std::optional<double> distanceFromVoltage(const PointLaserOptions& laser, double voltage);
+
+/// Voltage for a distance, not limited to the range.
+double voltageFromDistance(const PointLaserOptions& laser, double distance);
+
+/// Throws InputError when the ends of the range coincide.
+void validateLaser(const PointLaserOptions& laser);
+
+}  // namespace scan_to_path::sensing
