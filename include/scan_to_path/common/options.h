@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "scan_to_path/common/error.h"
 
@@ -56,21 +59,37 @@ struct IsOptions : std::false_type {};
 template <class T>
 struct IsOptions<T, std::void_t<decltype(T::fields(std::declval<T&>(), detail::AnyVisitor{}))>> : std::true_type {};
 
-/// Throws InputError naming the first number outside its range, as "PATH.NAME is VALUE UNIT, must be in [MIN, MAX]".
+namespace detail {
+
+inline void checkNumber(double number, const Field& field, const std::string& name) {
+  if (std::isfinite(number) && number >= field.min && number <= field.max) return;
+  std::ostringstream text;
+  text << name << " is " << number << (*field.unit != 0 ? " " : "") << field.unit << ", must be ";
+  if (std::isfinite(field.min) || std::isfinite(field.max)) {
+    text << "in [" << field.min << ", " << field.max << "]";
+  } else {
+    text << "finite";
+  }
+  throw InputError(text.str());
+}
+
+}  // namespace detail
+
+/// Throws InputError naming the first number that is not finite or outside its range, as "PATH.NAME is VALUE UNIT,
+/// must be in [MIN, MAX]"; ranges hold for every element of a list.
 template <class Options>
 void validate(const Options& options, const std::string& path) {
   Options::fields(options, [&path](const auto& value, const Field& field) {
     using T = std::decay_t<decltype(value)>;
+    const std::string name = path.empty() ? field.name : path + "." + field.name;
     if constexpr (IsOptions<T>::value) {
-      validate(value, path + "." + field.name);
-    } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
-      const double number = static_cast<double>(value);
-      if (!(number >= field.min && number <= field.max)) {
-        std::ostringstream text;
-        text << path << "." << field.name << " is " << value << (*field.unit != 0 ? " " : "") << field.unit
-             << ", must be in [" << field.min << ", " << field.max << "]";
-        throw InputError(text.str());
+      validate(value, name);
+    } else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>) {
+      for (long i = 0; i < static_cast<long>(value.size()); ++i) {
+        detail::checkNumber(value[i], field, name + "[" + std::to_string(i) + "]");
       }
+    } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+      detail::checkNumber(static_cast<double>(value), field, name);
     }
   });
 }

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/configuration.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+std::string at(const std::string& source, const YAML::Node& node) {
+  const int line = node.Mark().line;
+  return line < 0 ? source : source + " line " + std::to_string(line + 1);
+}
+
+std::string shown(const YAML::Node& node) {
+  if (node.IsScalar()) return "'" + node.Scalar() + "'";
+  if (node.IsSequence()) return "a list of " + std::to_string(node.size());
+  return node.IsMap() ? "a section" : "empty";
+}
+
+/// One value from its YAML node, for each type a field may have.
+class Assign {
+public:
+  Assign(const FieldReference& field, const YAML::Node& node, const std::string& source)
+      : field_(field), node_(node), source_(source) {}
+
+  void operator()(bool* value) const {
+    const std::string text = node_.IsScalar() ? node_.Scalar() : "";
+    if (text != "true" && text != "false") reject("true or false");
+    *value = text == "true";
+  }
+  void operator()(int* value) const {
+    const double number = toNumber(node_);
+    if (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max()) reject("a whole number");
+    *value = static_cast<int>(number);
+  }
+  void operator()(double* value) const { *value = toNumber(node_); }
+  void operator()(std::string* value) const {
+    if (node_.IsNull()) return value->clear();
+    if (!node_.IsScalar()) reject("a text");
+    *value = node_.Scalar();
+  }
+  void operator()(Eigen::Vector3d* value) const {
+    if (!node_.IsSequence() || node_.size() != 3) reject("a list of 3 numbers");
+    for (std::size_t i = 0; i < 3; ++i) (*value)[static_cast<long>(i)] = toNumber(node_[i]);
+  }
+  void operator()(std::vector<double>* value) const {
+    if (!node_.IsSequence()) reject("a list of numbers");
+    value->clear();
+    for (const auto& item : node_) value->push_back(toNumber(item));
+  }
+  void operator()(std::vector<std::string>* value) const {
+    if (!node_.IsSequence()) reject("a list of texts");
+    value->clear();
+    for (const auto& item : node_) {
+      if (!item.IsScalar()) reject("a list of texts");
+      value->push_back(item.Scalar());
+    }
+  }
+  void operator()(const EnumReference& value) const {
+    const auto& names = value.names;
+    const auto found = std::find(names.begin(), names.end(), node_.IsScalar() ? node_.Scalar() : "");
+    if (found == names.end()) {
+      std::string choices;
+      for (const auto& name : names) choices += (choices.empty() ? "" : ", ") + name;
+      reject("one of " + choices);
+    }
+    value.set(static_cast<std::size_t>(found - names.begin()));
+  }
+
+private:
+  double toNumber(const YAML::Node& node) const {
+    double number = 0.0;
+    if (!node.IsScalar() || !parseNumber(node.Scalar(), number)) {
+      reject(std::string("a number") + (*field_.field.unit != 0 ? std::string(" [") + field_.field.unit + "]" : ""));
+    }
+    return number;
+  }
+  [[noreturn]] void reject(const std::string& wanted) const {
+    throw InputError(at(source_, node_), field_.path, shown(node_), wanted);
+  }
+
+  const FieldReference& field_;
+  const YAML::Node& node_;
+  const std::string& source_;
+};
+
+const FieldReference* find(const std::vector<FieldReference>& fields, const std::string& path) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.path == path; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+bool isSection(const std::vector<FieldReference>& fields, const std::string& path) {
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const auto& field) { return field.path.compare(0, path.size() + 1, path + ".") == 0; });
+}
+
+[[noreturn]] void unknownKey(const std::vector<FieldReference>& fields, const std::string& path,
+                             const std::string& where) {
+  std::set<std::string> known;
+  for (const auto& field : fields) {
+    known.insert(field.path);
+    for (auto dot = field.path.find('.'); dot != std::string::npos; dot = field.path.find('.', dot + 1)) {
+      known.insert(field.path.substr(0, dot));
+    }
+  }
+  const std::vector<std::string> names(known.begin(), known.end());
+  throw InputError(where + ": unknown key " + path + ", did you mean " + nearestWord(path, names) + "?");
+}
+
+void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node, const std::string& prefix,
+               const std::string& source) {
+  std::set<std::string> seen;
+  for (const auto& entry : node) {
+    if (!entry.first.IsScalar()) throw InputError(at(source, entry.first) + ": a key must be a text");
+    const std::string path = prefix + entry.first.Scalar();
+    const std::string where = at(source, entry.first);
+    if (!seen.insert(path).second) throw InputError(where + ": key " + path + " stands twice");
+    if (const FieldReference* field = find(fields, path)) {
+      std::visit(Assign(*field, entry.second, source), field->value);
+    } else if (!isSection(fields, path)) {
+      unknownKey(fields, path, where);
+    } else if (entry.second.IsMap()) {
+      applyNode(fields, entry.second, path + ".", source);
+    } else if (!entry.second.IsNull()) {
+      throw InputError(where, path, shown(entry.second), "a section");
+    }
+  }
+}
+
+YAML::Node parse(const std::string& text, const std::string& source) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    throw InputError(source + " line " + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
+  }
+}
+
+std::string formatNumber(double value) {
+  char buffer[40];
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
+  return std::string(buffer, result.ptr);
+}
+
+/// Plain where YAML reads the text back as it is, else in double quotes.
+std::string formatText(const std::string& text) {
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '/' || c == '.' || c == '-';
+  });
+  if (plain) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+struct FormatValue {
+  std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
+  std::string operator()(const int* value) const { return std::to_string(*value); }
+  std::string operator()(const double* value) const { return formatNumber(*value); }
+  std::string operator()(const std::string* value) const { return formatText(*value); }
+  std::string operator()(const Eigen::Vector3d* value) const {
+    return "[" + formatNumber(value->x()) + ", " + formatNumber(value->y()) + ", " + formatNumber(value->z()) + "]";
+  }
+  std::string operator()(const std::vector<double>* value) const { return list(*value, formatNumber); }
+  std::string operator()(const std::vector<std::string>* value) const { return list(*value, formatText); }
+  std::string operator()(const EnumReference& value) const { return value.names[value.get()]; }
+
+private:
+  template <class Values, class Format>
+  static std::string list(const Values& values, Format format) {
+    std::string text = "[";
+    for (const auto& value : values) text += (text.size() > 1 ? ", " : "") + format(value);
+    return text + "]";
+  }
+};
+
+std::string comment(const FieldReference& reference) {
+  const Field& field = reference.field;
+  std::string text = *field.unit != 0 ? std::string("[") + field.unit + "] " : "";
+  text += field.help;
+  if (const auto* choice = std::get_if<EnumReference>(&reference.value)) {
+    text += text.empty() ? "" : ": ";
+    for (std::size_t i = 0; i < choice->names.size(); ++i) text += (i > 0 ? " | " : "") + choice->names[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+void applyYaml(const std::vector<FieldReference>& fields, const std::string& text, const std::string& source) {
+  const YAML::Node root = parse(text, source);
+  if (root.IsNull()) return;
+  if (!root.IsMap()) throw InputError(source + ": a configuration is sections of keys, this is " + shown(root));
+  applyNode(fields, root, "", source);
+}
+
+void applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) throw InputError("--set " + assignment + ": must be section.name=value");
+  const std::string path(trimmed(std::string_view(assignment).substr(0, equals)));
+  const std::string source = "--set";
+  const FieldReference* field = find(fields, path);
+  if (field == nullptr) unknownKey(fields, path, source);
+  const std::string value(trimmed(std::string_view(assignment).substr(equals + 1)));
+  const YAML::Node node = std::holds_alternative<std::string*>(field->value) ? YAML::Node(value) : parse(value, source);
+  std::visit(Assign(*field, node, source), field->value);
+}
+
+std::string formatValue(const FieldReference& field) { return std::visit(FormatValue(), field.value); }
+
+std::string formatYaml(const std::vector<FieldReference>& fields) {
+  std::string text;
+  std::vector<std::string_view> open;
+  for (const auto& reference : fields) {
+    const auto parts = split(reference.path, '.');
+    std::size_t shared = 0;
+    while (shared < open.size() && shared + 1 < parts.size() && open[shared] == parts[shared]) ++shared;
+    open.resize(shared);
+    for (; open.size() + 1 < parts.size(); open.push_back(parts[open.size()])) {
+      text += std::string(2 * open.size(), ' ') + std::string(parts[open.size()]) + ":\n";
+    }
+    text += std::string(2 * open.size(), ' ') + std::string(parts.back()) + ": " + formatValue(reference);
+    const std::string note = comment(reference);
+    text += (note.empty() ? "" : "  # " + note) + "\n";
+  }
+  return text;
+}
+
+}  // namespace scan_to_path::pipeline
