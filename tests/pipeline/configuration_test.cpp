@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/configuration.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "scan_to_path/common/random.h"
+
+namespace scan_to_path {
+namespace {
+
+enum class Colour { red, dark_green };
+
+struct Inner {
+  double length = 0.25;
+  Eigen::Vector3d axis = Eigen::Vector3d(0.0, 0.0, 1.0);
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.length, Field{"length", "m", "how long", 0.0, 2.0});
+    visit(self.axis, Field{"axis", "", "which way", -1.0, 1.0});
+  }
+};
+
+struct Outer {
+  int count = 3;
+  bool on = false;
+  std::string name = "first one";
+  Colour colour = Colour::red;
+  std::vector<double> gains = {1.0, 0.1};
+  std::vector<std::string> words = {"a", "b c"};
+  Inner inner;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.count, Field{"count", "", "how many", 1.0, 10.0});
+    visit(self.on, Field{"on"});
+    visit(self.name, Field{"name"});
+    visit(self.colour, Field{"colour", "", "paint"});
+    visit(self.gains, Field{"gains", "1/s"});
+    visit(self.words, Field{"words"});
+    visit(self.inner, Field{"inner"});
+  }
+};
+
+}  // namespace
+
+template <>
+struct EnumNames<Colour> {
+  static constexpr std::array<const char*, 2> names = {"red", "dark_green"};
+};
+
+namespace pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string errorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string yamlError(const std::string& text) {
+  Outer outer;
+  return errorOf([&] { applyYaml(fieldReferences(outer), text, "cell.yaml"); });
+}
+
+TEST(Configuration, ListsLeavesInDeclaredOrder) {
+  Outer outer;
+  std::vector<std::string> paths;
+  for (const auto& field : fieldReferences(outer)) paths.push_back(field.path);
+  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "inner.length",
+                                            "inner.axis"));
+}
+
+TEST(Configuration, AppliesEveryType) {
+  Outer outer;
+  applyYaml(fieldReferences(outer),
+            "count: 7\non: true\nname: 'x: y'\ncolour: dark_green\ngains: [3, 4e-3]\nwords: [p]\n"
+            "inner:\n  length: 1.5\n  axis: [1, 0, 0.5]\n",
+            "t");
+  EXPECT_EQ(outer.count, 7);
+  EXPECT_TRUE(outer.on);
+  EXPECT_EQ(outer.name, "x: y");
+  EXPECT_EQ(outer.colour, Colour::dark_green);
+  EXPECT_EQ(outer.gains, (std::vector<double>{3.0, 4e-3}));
+  EXPECT_EQ(outer.words, std::vector<std::string>{"p"});
+  EXPECT_EQ(outer.inner.length, 1.5);
+  EXPECT_EQ(outer.inner.axis, Eigen::Vector3d(1.0, 0.0, 0.5));
+}
+
+TEST(Configuration, EmptyTextAndEmptySectionChangeNothing) {
+  Outer outer;
+  applyYaml(fieldReferences(outer), "", "t");
+  applyYaml(fieldReferences(outer), "inner:\n", "t");
+  EXPECT_EQ(outer.inner.length, Inner().length);
+}
+
+TEST(Configuration, NamesTheNearestKey) {
+  EXPECT_THAT(yamlError("inner:\n  lenght: 1\n"), HasSubstr("cell.yaml line 2: unknown key inner.lenght"));
+  EXPECT_THAT(yamlError("inner:\n  lenght: 1\n"), HasSubstr("did you mean inner.length?"));
+  EXPECT_THAT(yamlError("iner: {}\n"), HasSubstr("did you mean inner?"));
+}
+
+TEST(Configuration, RejectsWrongTypes) {
+  EXPECT_EQ(yamlError("count: 1.5"), "cell.yaml line 1: count is '1.5', must be a whole number");
+  EXPECT_EQ(yamlError("on: maybe"), "cell.yaml line 1: on is 'maybe', must be true or false");
+  EXPECT_EQ(yamlError("gains: 3"), "cell.yaml line 1: gains is '3', must be a list of numbers");
+  EXPECT_EQ(yamlError("\ninner: {length: wide}"), "cell.yaml line 2: inner.length is 'wide', must be a number [m]");
+  EXPECT_EQ(yamlError("inner: {axis: [1, 2]}"), "cell.yaml line 1: inner.axis is a list of 2, must be a list of 3 numbers");
+  EXPECT_EQ(yamlError("colour: blue"), "cell.yaml line 1: colour is 'blue', must be one of red, dark_green");
+  EXPECT_EQ(yamlError("inner: 3"), "cell.yaml line 1: inner is '3', must be a section");
+  EXPECT_EQ(yamlError("count: 1\ncount: 2"), "cell.yaml line 2: key count stands twice");
+  EXPECT_THAT(yamlError("- a\n- b"), HasSubstr("a configuration is sections of keys"));
+  EXPECT_THAT(yamlError("count: [1, 2"), HasSubstr("not YAML"));
+}
+
+TEST(Configuration, AssignmentsSetOneField) {
+  Outer outer;
+  const auto fields = fieldReferences(outer);
+  applyAssignment(fields, "inner.axis=[0, 1, 0]");
+  applyAssignment(fields, "name = a: b");
+  applyAssignment(fields, "colour=dark_green");
+  EXPECT_EQ(outer.inner.axis, Eigen::Vector3d(0.0, 1.0, 0.0));
+  EXPECT_EQ(outer.name, "a: b");
+  EXPECT_EQ(outer.colour, Colour::dark_green);
+  EXPECT_THAT(errorOf([&] { applyAssignment(fields, "inner.size=3"); }), HasSubstr("unknown key inner.size"));
+  EXPECT_THAT(errorOf([&] { applyAssignment(fields, "inner.length"); }), HasSubstr("must be section.name=value"));
+  EXPECT_THAT(errorOf([&] { applyAssignment(fields, "inner=3"); }), HasSubstr("unknown key inner"));
+}
+
+TEST(Configuration, RoundTripKeepsEveryBit) {
+  Random random(1);
+  for (int round = 0; round < 200; ++round) {
+    Outer written;
+    written.count = static_cast<int>(random.uniform(1.0, 10.0));
+    written.on = random.uniform() < 0.5;
+    written.name = random.uniform() < 0.5 ? "true \"\\ #: 1" : "";
+    written.colour = random.uniform() < 0.5 ? Colour::red : Colour::dark_green;
+    written.gains = {random.gaussian() * 1e-9, random.gaussian() * 1e9};
+    written.inner.length = random.uniform();
+    written.inner.axis = Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian());
+    const std::string text = formatYaml(fieldReferences(written));
+    Outer read;
+    applyYaml(fieldReferences(read), text, "t");
+    EXPECT_EQ(formatYaml(fieldReferences(read)), text);
+    EXPECT_EQ(read.inner.axis, written.inner.axis);
+    EXPECT_EQ(read.name, written.name);
+  }
+}
+
+TEST(Configuration, FormatShowsUnitHelpAndChoices) {
+  Outer outer;
+  const std::string text = formatYaml(fieldReferences(outer));
+  EXPECT_THAT(text, HasSubstr("\n  length: 0.25  # [m] how long\n"));
+  EXPECT_THAT(text, HasSubstr("colour: red  # paint: red | dark_green\n"));
+}
+
+TEST(Configuration, ValidationNamesPathValueAndRange) {
+  Outer outer;
+  outer.inner.length = 3.0;
+  EXPECT_EQ(errorOf([&] { validate(outer, ""); }), "inner.length is 3 m, must be in [0, 2]");
+  outer.inner.length = std::nan("");
+  EXPECT_EQ(errorOf([&] { validate(outer, ""); }), "inner.length is nan m, must be in [0, 2]");
+  outer.inner.length = 1.0;
+  outer.gains[1] = INFINITY;
+  EXPECT_EQ(errorOf([&] { validate(outer, ""); }), "gains[1] is inf 1/s, must be finite");
+  outer.gains[1] = 1.0;
+  outer.inner.axis.y() = 1.5;
+  EXPECT_EQ(errorOf([&] { validate(outer, "x"); }), "x.inner.axis[1] is 1.5, must be in [-1, 1]");
+}
+
+}  // namespace
+}  // namespace pipeline
+}  // namespace scan_to_path
