@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scan_to_path/pipeline/configuration.h"
+#include "scan_to_path/scan/fitted_scan.h"
+#include "scan_to_path/toolpath/tool_path.h"
+#include "scan_to_path/toolpath/verdict.h"
+
+namespace scan_to_path::pipeline {
+
+/// What a stage took, gave and left out.
+struct StageReport {
+  std::string name;
+  std::size_t in = 0;
+  std::size_t out = 0;
+  std::vector<scan::Dropped> dropped;
+};
+
+/// A measured figure; with a limit it passes or fails the job.
+struct Accuracy {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::optional<double> limit = std::nullopt;  ///< the value must not exceed it
+
+  bool pass() const { return !limit || value <= *limit; }
+};
+
+/// Everything report.json holds (docs/report.schema.json). Nothing in it depends on time, host or thread count.
+struct Report {
+  std::string process;
+  std::string input_file;  ///< name without directories
+  std::string input_sha256;
+  std::string input_kind;
+  std::string input_frame;
+  std::string input_units;
+  std::uint64_t seed = 0;
+  std::vector<StageReport> stages;
+  std::vector<Accuracy> accuracy;
+  std::vector<std::string> notes;  ///< what the user should know and no figure says
+  int exit = 0;
+};
+
+/// The text of report.json. `path` names the segments that `verdicts` refer to; `config` is written out whole.
+std::string formatReport(const Report& report, const std::vector<FieldReference>& config,
+                         const toolpath::ToolPath& path, const std::vector<toolpath::WaypointVerdict>& verdicts);
+
+}  // namespace scan_to_path::pipeline
