@@ -5,6 +5,7 @@
 #include <pcl/memory.h>
 #include <pcl/pcl_macros.h>
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
 #include <pcl/types.h>
 

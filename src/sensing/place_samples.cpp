@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/sensing/place_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/parallel.h"
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/sensing/joint_readings.h"
+
+namespace scan_to_path::sensing {
+namespace {
+
+// Sums are formed per block of this many samples and then over the blocks, so that they do not depend on threads.
+constexpr std::size_t block_size = 4096;
+
+enum Reason : std::size_t { no_return, sensor_fault, outside_readings, joint_gap, reasons };
+constexpr std::array<const char*, reasons> reason_names = {"no return", "sensor fault", "no joint reading",
+                                                           "joint readings too far apart"};
+
+struct Block {
+  std::size_t placed = 0;
+  std::array<std::size_t, reasons> dropped{};
+  Vector3 beam_sum = Vector3::Zero();
+};
+
+/// What every sample needs, computed once.
+struct Placement {
+  const scan::SampleLog& log;
+  const robot::Robot& robot;
+  const PointLaserOptions& laser;
+  const JointReadings& readings;
+  double clock_offset;
+  Vector3 origin_tip;      // of the sensor
+  Vector3 beam_tip;        // unit
+  std::vector<double> tolerance;  // by which each joint may be outside its limits [rad]
+};
+
+/// How far one count of every encoder can turn each joint [rad].
+std::vector<double> angleOfOneCount(const robot::Robot& robot, const robot::Encoders& encoders) {
+  std::array<double, 8> counts{};
+  const robot::JointVector zero = encoders.angles(counts.data());
+  robot::JointVector sum = robot::JointVector::Zero(robot.dof());
+  for (int k = 0; k < robot.dof(); ++k) {
+    counts[k] = 1.0;
+    sum += (encoders.angles(counts.data()) - zero).cwiseAbs();
+    counts[k] = 0.0;
+  }
+  return {sum.data(), sum.data() + sum.size()};
+}
+
+void checkLimits(const Placement& placement, const robot::JointVector& angles, std::size_t sample) {
+  for (std::size_t k = 0; k < placement.robot.joints.size(); ++k) {
+    const auto& joint = placement.robot.joints[k];
+    const double q = angles[static_cast<Eigen::Index>(k)];
+    if (q >= joint.lower - placement.tolerance[k] && q <= joint.upper + placement.tolerance[k]) continue;
+    throw InputError("sample " + std::to_string(sample) + " at " + fixed(placement.log.sensor_time[sample], 6) + " s",
+                     joint.name, fixed(q, 6) + " rad",
+                     "in [" + fixed(joint.lower, 6) + ", " + fixed(joint.upper, 6) + "]");
+  }
+}
+
+void placeBlock(const Placement& placement, std::size_t begin, std::size_t end, scan::ScanPoint* points, Block& block) {
+  const auto& log = placement.log;
+  std::size_t cursor = 0;
+  robot::JointVector angles(placement.robot.dof());
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto distance = distanceFromVoltage(placement.laser, log.voltage[i]);
+    if (!distance) {
+      ++block.dropped[std::isnan(log.voltage[i]) ? sensor_fault : no_return];
+      continue;
+    }
+    const auto status = placement.readings.anglesAt(log.sensor_time[i] + placement.clock_offset, cursor, angles);
+    if (status != JointReadings::Status::found) {
+      ++block.dropped[status == JointReadings::Status::gap ? joint_gap : outside_readings];
+      continue;
+    }
+    checkLimits(placement, angles, i);
+    const Frame T_base_tip = robot::forwardKinematics(placement.robot, angles);  // Equation (1)
+    const Vector3 beam = T_base_tip.linear() * placement.beam_tip;
+    const Vector3 point = T_base_tip * placement.origin_tip + *distance * beam;  // Equation (2)
+    scan::ScanPoint& target = points[block.placed++];
+    target.getVector3fMap() = point.cast<float>();
+    target.line = scan::no_line;
+    target.time = log.sensor_time[i] - log.sensor_time.front();
+    block.beam_sum += beam;
+  }
+}
+
+void checkLog(const scan::SampleLog& log) {
+  if (log.voltage.size() != log.sensor_time.size()) {
+    throw InputError("sample log", "number of voltages", std::to_string(log.voltage.size()),
+                     "one for each of " + std::to_string(log.sensor_time.size()) + " samples");
+  }
+}
+
+std::vector<scan::Dropped> droppedByReason(const std::vector<Block>& blocks) {
+  std::vector<scan::Dropped> dropped;
+  for (std::size_t reason = 0; reason < reasons; ++reason) {
+    std::size_t count = 0;
+    for (const auto& block : blocks) count += block.dropped[reason];
+    if (count > 0) dropped.push_back({reason_names[reason], count});
+  }
+  return dropped;
+}
+
+[[noreturn]] void throwNothingPlaced(std::size_t samples, const std::vector<scan::Dropped>& dropped) {
+  std::string message = "sample log: none of " + std::to_string(samples) + " samples can be placed";
+  for (const auto& entry : dropped) message += ", " + std::to_string(entry.count) + " " + entry.reason;
+  throw InputError(message);
+}
+
+/// Closes the gaps that dropped samples left between the blocks.
+void joinBlocks(const std::vector<Block>& blocks, scan::ScanCloud& cloud) {
+  std::size_t placed = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto from = cloud.points.begin() + static_cast<std::ptrdiff_t>(b * block_size);
+    const auto to = cloud.points.begin() + static_cast<std::ptrdiff_t>(placed);
+    if (from != to) std::copy(from, from + static_cast<std::ptrdiff_t>(blocks[b].placed), to);
+    placed += blocks[b].placed;
+  }
+  cloud.points.resize(placed);
+  cloud.width = static_cast<std::uint32_t>(placed);
+  cloud.height = 1;
+}
+
+}  // namespace
+
+PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
+                        const PointLaserOptions& laser, const Frame& T_tip_sensor, const PlacementOptions& options,
+                        int threads, const Progress& progress) {
+  validateLaser(laser);
+  validate(options, "placement");
+  checkLog(log);
+  progress.update("placing samples", 0.0);
+  const JointReadings readings(log, robot, encoders, options.max_joint_gap);
+  const Placement placement{log, robot, laser, readings, options.clock_offset, T_tip_sensor.translation(),
+                            T_tip_sensor.linear().col(2), angleOfOneCount(robot, encoders)};
+  const std::size_t samples = log.sensor_time.size();
+  PlacedScan scan;
+  scan.samples_in = samples;
+  scan.cloud.header.frame_id = robot.base_link;
+  scan.cloud.points.resize(samples);
+  std::vector<Block> blocks((samples + block_size - 1) / block_size);
+  parallelFor(blocks.size(), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      progress.checkCancelled();
+      const std::size_t begin = b * block_size;
+      placeBlock(placement, begin, std::min(begin + block_size, samples), &scan.cloud.points[begin], blocks[b]);
+    }
+  });
+  scan.dropped = droppedByReason(blocks);
+  joinBlocks(blocks, scan.cloud);
+  if (scan.cloud.points.empty()) throwNothingPlaced(samples, scan.dropped);
+  Vector3 beam_sum = Vector3::Zero();
+  for (const auto& block : blocks) beam_sum += block.beam_sum;
+  scan.mean_beam = beam_sum.normalized();
+  progress.update("placing samples", 1.0);
+  return scan;
+}
+
+}  // namespace scan_to_path::sensing
