@@ -19,7 +19,7 @@ using Vector2 = Eigen::Vector2d;
 /// Rounding of the height above the surface at distance t along the ray [m]: less than this is on it.
 double heightRounding(const Ray& ray, double t, const HeightJet& jet) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  return 4.0 * epsilon * (t + ray.origin.lpNorm<1>() + std::abs(jet.z)) * (1.0 + std::abs(jet.zx) + std::abs(jet.zy));
+  return epsilon * (t + ray.origin.lpNorm<1>() + std::abs(jet.z)) * (1.0 + std::abs(jet.zx) + std::abs(jet.zy));
 }
 
 Vector3 normalOf(const HeightJet& jet) { return Vector3(-jet.zx, -jet.zy, 1.0).normalized(); }

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/geometry/frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scan_to_path/common/random.h"
+#include "support/surface_oracle.h"
+
+namespace scan_to_path::geometry {
+namespace {
+
+Eigen::Matrix3d randomRotation(Random& random) { return test::randomFrame(random).linear(); }
+
+TEST(Frames, RollPitchYawTurnAboutFixedAxesInThatOrder) {
+  // URDF: a quarter roll takes y to z, then a quarter yaw takes x to y.
+  const Frame T = makeFrame({1, 2, 3}, {M_PI / 2, 0, M_PI / 2});
+  EXPECT_LT((T * Vector3(1, 0, 0) - Vector3(1, 3, 3)).norm(), 1e-15);
+  EXPECT_LT((T * Vector3(0, 1, 0) - Vector3(1, 2, 4)).norm(), 1e-15);
+  EXPECT_LT((T * Vector3(0, 0, 1) - Vector3(2, 2, 3)).norm(), 1e-15);
+}
+
+TEST(Frames, FrameFromAxesIsRightHandedWithTheGivenZ) {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 z = test::randomDirection(random);
+    const Vector3 hint = test::randomDirection(random);
+    const Frame T = frameFromAxes({1, 2, 3}, z, hint);
+    // Orthogonalising loses digits when the hint is nearly parallel to z.
+    const double tolerance = 4e-16 / z.cross(hint).norm();
+    EXPECT_NEAR((T.linear().transpose() * T.linear() - Eigen::Matrix3d::Identity()).norm(), 0.0, 10 * tolerance);
+    EXPECT_NEAR(T.linear().determinant(), 1.0, 10 * tolerance);
+    EXPECT_EQ(T.linear().col(2), z);
+    EXPECT_GT(T.linear().col(0).dot(hint), 0.0);
+    EXPECT_NEAR(T.linear().col(1).dot(hint), 0.0, 10 * tolerance);
+  }
+}
+
+TEST(Frames, CanonicalQuaternionIsTheSameForBothSigns) {
+  Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Matrix3d R = randomRotation(random);
+    const Eigen::Quaterniond q = canonicalQuaternion(R);
+    EXPECT_GE(q.w(), 0.0);
+    EXPECT_NEAR(q.norm(), 1.0, 1e-15);
+    EXPECT_LT((q.toRotationMatrix() - R).norm(), 1e-14);
+  }
+}
+
+TEST(Frames, CanonicalQuaternionOfHalfTurnsIsPositive) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Matrix3d R = 2.0 * Vector3::Unit(axis) * Vector3::Unit(axis).transpose() - Eigen::Matrix3d::Identity();
+    EXPECT_EQ(canonicalQuaternion(R).vec(), Vector3::Unit(axis));
+    EXPECT_EQ(canonicalQuaternion(R).w(), 0.0);
+  }
+}
+
+TEST(Frames, AnglesAreExactWhenSmallAndWhenLarge) {
+  for (const double angle : {0.0, 1e-12, 1e-6, 0.5, M_PI / 2, M_PI - 1e-9, M_PI}) {
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix();
+    // A rotation matrix holds its entries to 1e-16, which is what is left of any angle.
+    EXPECT_NEAR(rotationAngle(Eigen::Matrix3d::Identity(), R), angle, 3e-16 + 1e-15 * angle);
+    const Vector3 a(std::cos(angle), std::sin(angle), 0);
+    EXPECT_NEAR(angleBetween(3 * Vector3::UnitX(), 7 * a), angle, 3e-16 + 1e-15 * angle);
+  }
+}
+
+TEST(Frames, RotationAngleDoesNotDependOnTheFrame) {
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Matrix3d R = randomRotation(random);
+    const Eigen::Matrix3d A = randomRotation(random);
+    const Eigen::Matrix3d B = randomRotation(random);
+    EXPECT_NEAR(rotationAngle(R * A, R * B), rotationAngle(A, B), 1e-14);
+    EXPECT_NEAR(rotationAngle(A, B), rotationAngle(B, A), 1e-14);
+  }
+}
+
+TEST(Frames, AnyOrthogonalIsAUnitVectorAcross) {
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    const Vector3 direction = test::randomDirection(random);
+    const Vector3 across = anyOrthogonal(direction);
+    EXPECT_NEAR(across.norm(), 1.0, 1e-15);
+    EXPECT_NEAR(across.dot(direction), 0.0, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace scan_to_path::geometry
