@@ -18,7 +18,8 @@ void checkList(const std::vector<double>& values, std::size_t size, const std::s
     throw InputError("encoders." + name, "number of values", std::to_string(values.size()), std::to_string(size));
   }
   for (std::size_t i = 0; i < size; ++i) {
-    if (!accept(values[i])) throw InputError("encoders." + name, "value " + std::to_string(i), fixed(values[i], 6), limit);
+    if (!accept(values[i]))
+      throw InputError("encoders." + name, "value " + std::to_string(i), fixed(values[i], 6), limit);
   }
 }
 

@@ -14,9 +14,9 @@ namespace scan_to_path::robot {
 
 namespace {
 
-constexpr double position_tolerance = 1e-7;     // promised [m]
-constexpr double rotation_tolerance = 1e-7;     // promised [rad]
-constexpr double converged = 1e-10;             // where the iteration stops: [m] and [rad]
+constexpr double position_tolerance = 1e-7;  // promised [m]
+constexpr double rotation_tolerance = 1e-7;  // promised [rad]
+constexpr double converged = 1e-10;          // where the iteration stops: [m] and [rad]
 constexpr int max_iterations = 50;
 constexpr int configuration_starts = 200;
 constexpr double turn = 2.0 * M_PI;
@@ -92,9 +92,7 @@ std::vector<JointVector> startingPoints(const Robot& robot) {
   return starts;
 }
 
-double nearestTurn(double angle, double reference) {
-  return angle + turn * std::nearbyint((reference - angle) / turn);
-}
+double nearestTurn(double angle, double reference) { return angle + turn * std::nearbyint((reference - angle) / turn); }
 
 /// Whether two solutions of one pose are the same but for whole turns.
 bool sameConfiguration(const JointVector& a, const JointVector& b) {
@@ -142,8 +140,8 @@ struct InverseKinematics::Impl {
         lma_seed(static_cast<unsigned>(source.dof())),
         lma_result(static_cast<unsigned>(source.dof())) {}
 
-  bool withinReach(const Frame& T_base_tip) const;
-  bool iterate(const Frame& T_base_tip, JointVector& q) const;
+  double beyondReach(const Frame& T_base_tip) const;
+  bool iterate(const Frame& T_base_tip, JointVector& q, Miss& miss) const;
   bool levenbergMarquardt(const Frame& T_base_tip, const JointVector& seed, JointVector& q);
   bool accepted(const Frame& T_base_tip, const JointVector& q) const;
 
@@ -155,24 +153,27 @@ struct InverseKinematics::Impl {
   KDL::JntArray lma_seed, lma_result;
 };
 
-bool InverseKinematics::Impl::withinReach(const Frame& T_base_tip) const {
-  return (T_base_tip.translation() - robot.joints.front().T_parent_joint.translation()).norm() <= reach;
+/// How much farther than the stretched arm the pose is [m]; NaN for one that is not finite.
+double InverseKinematics::Impl::beyondReach(const Frame& T_base_tip) const {
+  return (T_base_tip.translation() - robot.joints.front().T_parent_joint.translation()).norm() - reach;
 }
 
 /// Newton-Raphson damped by the squared residual (Sugihara 2011, "Solvability-unconcerned inverse kinematics by the
 /// Levenberg-Marquardt method"): far from the goal it is a gradient step, near it converges quadratically.
-bool InverseKinematics::Impl::iterate(const Frame& T_base_tip, JointVector& q) const {
+bool InverseKinematics::Impl::iterate(const Frame& T_base_tip, JointVector& q, Miss& miss) const {
   const double per_length = 1.0 / reach;
   Jacobian J(6, robot.dof());
   for (int k = 0; k < max_iterations; ++k) {
-    const Frame T = walkChain(robot, q.data(), [&J](int i, const Vector3& p, const Eigen::Matrix3d& R, const Vector3& a) {
-      J.col(i).head<3>() = p;
-      J.col(i).tail<3>() = R * a;
-    });
+    const Frame T =
+        walkChain(robot, q.data(), [&J](int i, const Vector3& p, const Eigen::Matrix3d& R, const Vector3& a) {
+          J.col(i).head<3>() = p;
+          J.col(i).tail<3>() = R * a;
+        });
     Vector6 e;
     e.head<3>() = T_base_tip.translation() - T.translation();
     e.tail<3>() = rotationVector(T_base_tip.linear() * T.linear().transpose());
-    if (e.head<3>().norm() < converged && e.tail<3>().norm() < converged) return true;
+    miss = {e.head<3>().norm(), e.tail<3>().norm()};
+    if (miss.position < converged && miss.rotation < converged) return true;
     for (int i = 0; i < robot.dof(); ++i) {
       const Vector3 origin = J.col(i).head<3>(), axis = J.col(i).tail<3>();
       J.col(i).head<3>() = per_length * axis.cross(T.translation() - origin);
@@ -205,21 +206,26 @@ InverseKinematics::~InverseKinematics() = default;
 InverseKinematics::InverseKinematics(InverseKinematics&&) noexcept = default;
 InverseKinematics& InverseKinematics::operator=(InverseKinematics&&) noexcept = default;
 
-std::optional<JointVector> InverseKinematics::solve(const Frame& T_base_tip, const JointVector& seed) const {
-  if (!impl_->withinReach(T_base_tip)) return std::nullopt;
+std::optional<JointVector> InverseKinematics::solve(const Frame& T_base_tip, const JointVector& seed,
+                                                    Miss* miss) const {
+  Miss least{impl_->beyondReach(T_base_tip), 0.0};
   JointVector q = seed;
-  if (!impl_->iterate(T_base_tip, q) && !impl_->levenbergMarquardt(T_base_tip, seed, q)) return std::nullopt;
-  if (!impl_->accepted(T_base_tip, q)) return std::nullopt;
+  const bool found = least.position <= 0.0 &&
+                     (impl_->iterate(T_base_tip, q, least) || impl_->levenbergMarquardt(T_base_tip, seed, q)) &&
+                     impl_->accepted(T_base_tip, q);
+  if (miss != nullptr) *miss = least;
+  if (!found) return std::nullopt;
   for (int i = 0; i < q.size(); ++i) q[i] = nearestTurn(q[i], seed[i]);
   return q;
 }
 
 std::vector<JointVector> InverseKinematics::allConfigurations(const Frame& T_base_tip) const {
   std::vector<JointVector> distinct, found;
-  if (!impl_->withinReach(T_base_tip)) return found;
+  if (!(impl_->beyondReach(T_base_tip) <= 0.0)) return found;
+  Miss miss;
   for (const JointVector& start : impl_->starts) {
     JointVector q = start;
-    if (!impl_->iterate(T_base_tip, q) || !impl_->accepted(T_base_tip, q)) continue;
+    if (!impl_->iterate(T_base_tip, q, miss) || !impl_->accepted(T_base_tip, q)) continue;
     const bool known = std::any_of(distinct.begin(), distinct.end(),
                                    [&q](const JointVector& other) { return sameConfiguration(q, other); });
     if (known) continue;

@@ -78,8 +78,8 @@ void checkMarkup(const std::string& text) {
       throw InputError("robot description is a xacro file, must be plain URDF: run xacro on it first");
     } else if (text.compare(i, 2, "</") == 0) {
       --depth;
-    } else if (i + 1 < text.size() && (std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0 || text[i + 1] == '_' ||
-                                       static_cast<unsigned char>(text[i + 1]) > 127)) {
+    } else if (i + 1 < text.size() && (std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0 ||
+                                       text[i + 1] == '_' || static_cast<unsigned char>(text[i + 1]) > 127)) {
       i = tagEnd(text, i);
       if (i == text.size() || text[i - 1] != '/') ++depth;
     }
@@ -174,7 +174,8 @@ Frame jointOrigin(const urdf::Joint& joint) {
 }
 
 void readLimits(const urdf::Joint& source, Joint& joint) {
-  if (source.limits == nullptr) throw InputError(jointLabel(source) + ": limit is absent, must have lower, upper, velocity");
+  if (source.limits == nullptr)
+    throw InputError(jointLabel(source) + ": limit is absent, must have lower, upper, velocity");
   joint.max_velocity = source.limits->velocity;
   if (!(joint.max_velocity > 0.0) || !std::isfinite(joint.max_velocity)) {
     throw InputError(jointLabel(source), "limit velocity", fixed(joint.max_velocity, 6) + " rad/s", "> 0 and finite");

@@ -186,7 +186,8 @@ std::vector<JointVector> closedForm(const Robot& robot, const Frame& T) {
 }
 
 bool contains(const std::vector<JointVector>& list, const JointVector& q) {
-  return std::any_of(list.begin(), list.end(), [&q](const JointVector& other) { return largestDifference(q, other) < 1e-5; });
+  return std::any_of(list.begin(), list.end(),
+                     [&q](const JointVector& other) { return largestDifference(q, other) < 1e-5; });
 }
 
 /// Share of random reachable poses for which `all` has exactly what the closed form has.
@@ -198,7 +199,8 @@ double completeShare(const Robot& robot, int poses, const std::function<std::vec
     const Frame T = denavitHartenberg(q.data());
     const auto expected = closedForm(robot, T), found = all(T);
     EXPECT_TRUE(contains(expected, q)) << "the oracle misses " << q.transpose();
-    if (std::all_of(expected.begin(), expected.end(), [&](const JointVector& e) { return contains(found, e); })) ++complete;
+    if (std::all_of(expected.begin(), expected.end(), [&](const JointVector& e) { return contains(found, e); }))
+      ++complete;
     EXPECT_TRUE(std::all_of(found.begin(), found.end(), [&](const JointVector& f) { return contains(expected, f); }));
   }
   return static_cast<double>(complete) / poses;
@@ -213,11 +215,13 @@ TEST(AllConfigurations, AreAllThatTheClosedFormHas) {
 TEST(AllConfigurations, CompletenessCheckSeesALostConfiguration) {
   const Robot robot = irb2400();
   const InverseKinematics inverse(robot);
-  EXPECT_LT(completeShare(robot, 50, [&](const Frame& T) {
-              auto all = inverse.allConfigurations(T);
-              all.pop_back();
-              return all;
-            }), 0.99);
+  EXPECT_LT(completeShare(robot, 50,
+                          [&](const Frame& T) {
+                            auto all = inverse.allConfigurations(T);
+                            all.pop_back();
+                            return all;
+                          }),
+            0.99);
 }
 
 TEST(AllConfigurations, OfAContinuousWristHaveOneTurnEach) {

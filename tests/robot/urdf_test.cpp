@@ -15,8 +15,8 @@ using testing::HasSubstr;
 
 const char* const good_limit = R"(<limit lower="-1" upper="2" velocity="3" effort="0"/>)";
 
-std::string joint(const std::string& name, const std::string& type, const std::string& parent,
-                  const std::string& child, const std::string& inner = good_limit) {
+std::string joint(const std::string& name, const std::string& type, const std::string& parent, const std::string& child,
+                  const std::string& inner = good_limit) {
   return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" + child + "'/>" +
          inner + "</joint>";
 }
@@ -44,8 +44,7 @@ std::string complaint(const std::string& text, const std::string& base = "a", co
 TEST(ParseRobot, FoldsFixedJointsIntoTheNextOne) {
   const Robot robot = parseRobot(
       robotText(joint("f", "fixed", "a", "b", "<origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/>") +
-                joint("j", "revolute", "b", "c",
-                      std::string("<origin xyz='1 0 0'/><axis xyz='0 2 0'/>") + good_limit)),
+                joint("j", "revolute", "b", "c", std::string("<origin xyz='1 0 0'/><axis xyz='0 2 0'/>") + good_limit)),
       "a", "c");
   ASSERT_EQ(robot.dof(), 1);
   EXPECT_LT((robot.joints[0].T_parent_joint.translation() - Vector3(1, 3, 3)).norm(), 1e-15);
@@ -58,9 +57,9 @@ TEST(ParseRobot, FoldsFixedJointsIntoTheNextOne) {
 }
 
 TEST(ParseRobot, ContinuousJointsHaveNoLimits) {
-  const Robot robot = parseRobot(
-      robotText(joint("j", "continuous", "a", "b", "<limit velocity='2' effort='0'/>") + joint("f", "fixed", "b", "c", "")),
-      "a", "c");
+  const Robot robot = parseRobot(robotText(joint("j", "continuous", "a", "b", "<limit velocity='2' effort='0'/>") +
+                                           joint("f", "fixed", "b", "c", "")),
+                                 "a", "c");
   EXPECT_EQ(robot.joints[0].lower, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(robot.joints[0].upper, std::numeric_limits<double>::infinity());
 }
@@ -90,14 +89,16 @@ TEST(ParseRobot, RefusesJointsItCannotDrive) {
   };
   EXPECT_THAT(with("prismatic", good_limit), AllOf(HasSubstr("bad_one"), HasSubstr("revolute")));
   EXPECT_THAT(with("floating", ""), HasSubstr("bad_one"));
-  EXPECT_THAT(with("revolute", std::string(good_limit) + "<mimic joint='f'/>"), AllOf(HasSubstr("bad_one"), HasSubstr("mimic")));
+  EXPECT_THAT(with("revolute", std::string(good_limit) + "<mimic joint='f'/>"),
+              AllOf(HasSubstr("bad_one"), HasSubstr("mimic")));
   EXPECT_THAT(with("revolute", ""), HasSubstr("bad_one"));
   EXPECT_THAT(with("continuous", ""), AllOf(HasSubstr("bad_one"), HasSubstr("limit is absent")));
   EXPECT_THAT(with("revolute", "<limit lower='1' upper='1' velocity='1' effort='0'/>"), HasSubstr("rising"));
   EXPECT_THAT(with("revolute", "<limit lower='-1' upper='1' velocity='0' effort='0'/>"), HasSubstr("velocity"));
   EXPECT_THAT(with("revolute", "<limit lower='nan' upper='1' velocity='1' effort='0'/>"), HasSubstr("bad_one"));
   EXPECT_THAT(with("revolute", "<limit lower='-1' upper='inf' velocity='1' effort='0'/>"), HasSubstr("bad_one"));
-  EXPECT_THAT(with("revolute", std::string("<axis xyz='0 0 0'/>") + good_limit), AllOf(HasSubstr("axis"), HasSubstr("bad_one")));
+  EXPECT_THAT(with("revolute", std::string("<axis xyz='0 0 0'/>") + good_limit),
+              AllOf(HasSubstr("axis"), HasSubstr("bad_one")));
   EXPECT_THAT(with("revolute", std::string("<origin xyz='nan 0 0'/>") + good_limit), HasSubstr("bad_one"));
   EXPECT_THAT(with("revolute", std::string("<origin xyz='1 0'/>") + good_limit), testing::Ne("accepted"));
 }
@@ -105,8 +106,9 @@ TEST(ParseRobot, RefusesJointsItCannotDrive) {
 TEST(ParseRobot, RefusesMoreThanEightJoints) {
   std::string body;
   for (int i = 0; i < 9; ++i) {
-    body += "<link name='l" + std::to_string(i) + "'/>" +
-            joint("j" + std::to_string(i), "revolute", i == 0 ? "a" : "l" + std::to_string(i - 1), "l" + std::to_string(i));
+    body +=
+        "<link name='l" + std::to_string(i) + "'/>" +
+        joint("j" + std::to_string(i), "revolute", i == 0 ? "a" : "l" + std::to_string(i - 1), "l" + std::to_string(i));
   }
   body += joint("fb", "fixed", "a", "b", "") + joint("fc", "fixed", "a", "c", "");
   EXPECT_EQ(complaint(robotText(body), "a", "l7"), "accepted");
@@ -114,17 +116,20 @@ TEST(ParseRobot, RefusesMoreThanEightJoints) {
 }
 
 TEST(ParseRobot, NamesXacroAsSuch) {
-  EXPECT_THAT(complaint("<robot name='r' xmlns:xacro='http://ros.org/wiki/xacro'><xacro:include filename='x'/></robot>"),
-              HasSubstr("xacro"));
+  EXPECT_THAT(
+      complaint("<robot name='r' xmlns:xacro='http://ros.org/wiki/xacro'><xacro:include filename='x'/></robot>"),
+      HasSubstr("xacro"));
   // What xacro has expanded keeps the name space and its comments.
   EXPECT_EQ(complaint("<robot name='r' xmlns:xacro='http://ros.org/wiki/xacro'><!-- <xacro:arm/> -->"
-                      "<link name='a'/><link name='c'/>" + joint("j", "revolute", "a", "c") + "</robot>"),
+                      "<link name='a'/><link name='c'/>" +
+                      joint("j", "revolute", "a", "c") + "</robot>"),
             "accepted");
 }
 
 TEST(ParseRobot, RefusesWhatIsNoRobot) {
-  for (const char* text : {"", "   ", "hello", "<", "<robot", "<robot name='r'/>", "<html><body/></html>", "<robot name='r'><link/></robot>",
-                           "<robot><link name='a'/></robot>", "\xef\xbb\xbf", "<?xml version='1.0'?>", "<!-- ", "<![CDATA["}) {
+  for (const char* text : {"", "   ", "hello", "<", "<robot", "<robot name='r'/>", "<html><body/></html>",
+                           "<robot name='r'><link/></robot>", "<robot><link name='a'/></robot>", "\xef\xbb\xbf",
+                           "<?xml version='1.0'?>", "<!-- ", "<![CDATA["}) {
     EXPECT_NE(complaint(text), "accepted") << text;
   }
   EXPECT_NE(complaint(std::string("\0\0<robot/>", 10)), "accepted");
@@ -150,14 +155,19 @@ TEST(ParseRobot, SurvivesMutations) {
   const std::string text = readFile(test::irb2400File());
   const std::string alphabet = "<>\"'/ =&;!-0919eE.+xn\0\x80\xff";
   Random random(6);
-  const auto pick = [&random](std::size_t count) { return static_cast<std::size_t>(random.uniform() * static_cast<double>(count)); };
+  const auto pick = [&random](std::size_t count) {
+    return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
+  };
   for (int k = 0; k < 2000; ++k) {
     std::string mutated = text;
     for (std::size_t changes = 1 + pick(6); changes > 0; --changes) {
       const std::size_t at = pick(mutated.size());
-      if (pick(2) == 0) mutated[at] = alphabet[pick(alphabet.size())];
-      else if (pick(2) == 0) mutated.erase(at, pick(40));
-      else mutated.insert(at, mutated.substr(pick(mutated.size()), pick(200)));
+      if (pick(2) == 0)
+        mutated[at] = alphabet[pick(alphabet.size())];
+      else if (pick(2) == 0)
+        mutated.erase(at, pick(40));
+      else
+        mutated.insert(at, mutated.substr(pick(mutated.size()), pick(200)));
     }
     complaint(mutated, "base_link", "tool0");
   }

@@ -18,8 +18,8 @@ inline robot::Robot irb2400() { return robot::readRobot(irb2400File(), "base_lin
 /// Rot(z, theta) Trans(z, d) Trans(x, a) Rot(x, alpha): shares nothing with the URDF, the library or KDL.
 inline geometry::Frame denavitHartenberg(const double* q) {
   constexpr double a1 = 0.100, a2 = -0.135, c1 = 0.615, c2 = 0.705, c3 = 0.755, c4 = 0.085;
-  const double parameters[6][4] = {{q[0], c1, a1, -M_PI_2},         {q[1] - M_PI_2, 0, c2, 0}, {q[2], 0, -a2, -M_PI_2},
-                                   {q[3], c3, 0, M_PI_2},           {q[4], 0, 0, -M_PI_2},     {q[5] + M_PI, c4, 0, 0}};
+  const double parameters[6][4] = {{q[0], c1, a1, -M_PI_2}, {q[1] - M_PI_2, 0, c2, 0}, {q[2], 0, -a2, -M_PI_2},
+                                   {q[3], c3, 0, M_PI_2},   {q[4], 0, 0, -M_PI_2},     {q[5] + M_PI, c4, 0, 0}};
   Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
   for (const auto& [theta, d, a, alpha] : parameters) {
     const double ct = std::cos(theta), st = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);

@@ -23,7 +23,8 @@ struct EncoderOptions {
     visit(self.gear_ratio, Field{"gear_ratio", "", "motor turns per joint turn"});
     visit(self.sign, Field{"sign", "", "+1 or -1: sense of counting"});
     visit(self.offset, Field{"offset", "rad", "joint angle at count 0"});
-    visit(self.coupling, Field{"coupling", "", "n x n matrix, row by row, from uncoupled to joint angles; empty: identity"});
+    visit(self.coupling,
+          Field{"coupling", "", "n x n matrix, row by row, from uncoupled to joint angles; empty: identity"});
   }
 };
 

@@ -10,7 +10,14 @@
 
 namespace scan_to_path::robot {
 
-/// Inverse kinematics by KDL: Newton-Raphson with joint limits from a warm start, Levenberg-Marquardt when that fails.
+/// How far the closest try stayed from a pose.
+struct Miss {
+  double position = 0.0;  ///< [m]
+  double rotation = 0.0;  ///< [rad]
+};
+
+/// Numerical inverse kinematics for any chain: a Newton iteration damped by its residual (1.7 us from a warm start on a
+/// six-axis arm; KDL's ChainIkSolverPos_NR_JL takes five times that), KDL's Levenberg-Marquardt solver when it fails.
 /// Every answer is checked by this project's own forward kinematics. One object per thread.
 class InverseKinematics {
 public:
@@ -21,11 +28,14 @@ public:
 
   /// Joint angles near `seed` that put the tip at T_base_tip within 0.1 um and 1e-7 rad. Angles may lie outside the
   /// limits (the caller says which, with a margin); whole turns are chosen nearest to the seed.
-  /// Nothing when no solution is found (out of reach, or singular).
-  std::optional<JointVector> solve(const Frame& T_base_tip, const JointVector& seed) const;
+  /// Nothing when no solution is found (out of reach, or singular); `miss`, when not null, then says by how much.
+  /// Takes a few ms at most.
+  std::optional<JointVector> solve(const Frame& T_base_tip, const JointVector& seed, Miss* miss = nullptr) const;
 
-  /// All distinct configurations within joint limits (shoulder, elbow, wrist; whole turns included), sorted by their
-  /// distance from the middle of the joint ranges, found from a fixed set of starts: the same list every time.
+  /// All distinct configurations within joint limits (shoulder, elbow, wrist; whole turns included, of a continuous
+  /// joint only the one nearest 0), sorted by their distance from the middle of the joint ranges, found from 200 fixed
+  /// starts: the same list every time, in about 2 ms. In a singular pose, or with more than six joints, solutions are
+  /// not countable: the list then holds those that were found.
   std::vector<JointVector> allConfigurations(const Frame& T_base_tip) const;
 
 private:

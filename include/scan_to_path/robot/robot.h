@@ -31,9 +31,9 @@ struct Robot {
   std::string name;
   std::string base_link;
   std::string tip_link;
-  std::vector<std::string> link_names;        ///< every link of the URDF, for name clashes
+  std::vector<std::string> link_names;  ///< every link of the URDF, for name clashes
   std::vector<Joint> joints;
-  Frame T_last_tip = Frame::Identity();       ///< tip_link in the last movable joint's frame
+  Frame T_last_tip = Frame::Identity();  ///< tip_link in the last movable joint's frame
 
   int dof() const { return static_cast<int>(joints.size()); }
 };
