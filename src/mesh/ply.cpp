@@ -60,7 +60,7 @@ PlyFormat parseFormat(std::string_view line, const std::string& where) {
 PlyElement parseElement(std::string_view line, const std::string& where) {
   PlyElement element;
   element.name = takeWord(line);
-  const double count = takeNumber(line, where, "element count");
+  const double count = takeNumber(line, [&] { return where; }, "element count");
   constexpr double largest = 9007199254740992.0;  // 2^53: exact as a double
   if (!(count >= 0.0 && count <= largest) || count != std::floor(count)) {
     throw InputError(where, "element count", fixed(count, 0), "a whole number from 0 to 2^53");
@@ -262,10 +262,7 @@ void PlyReader::readAsciiRow(PlyRow& row) {
   } while (line.empty());
   const auto& properties = current().properties;
   const auto take = [&](const PlyProperty& property) {
-    std::string_view before = line;
-    double value = 0.0;
-    if (!parseNumber(takeWord(line), value)) takeNumber(before, where(), property.name.c_str());
-    return value;
+    return takeNumber(line, [this] { return where(); }, property.name.c_str());
   };
   for (std::size_t i = 0; i < properties.size(); ++i) {
     row.values[i] = take(properties[i]);

@@ -44,12 +44,13 @@ inline std::string inQuotes(std::string_view text) {
   return quote + (text.size() > longest ? "...'" : "'");
 }
 
-/// Takes a number off `line`. Throws InputError naming `where` and `quantity` when there is none.
-inline double takeNumber(std::string_view& line, const std::string& where, const char* quantity) {
+/// Takes a number off `line`. Throws InputError naming `where()` and `quantity` when there is none.
+template <class Where>
+double takeNumber(std::string_view& line, const Where& where, const char* quantity) {
   const std::string_view word = takeWord(line);
   double value = 0.0;
   if (!parseNumber(word, value)) {
-    throw InputError(where, quantity, word.empty() ? "missing" : inQuotes(word), "a number");
+    throw InputError(where(), quantity, word.empty() ? "missing" : inQuotes(word), "a number");
   }
   return value;
 }
