@@ -2,26 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cubic_moments.h"
 
-#include <vector>
+#include <algorithm>
 
 namespace scan_to_path::nurbs {
 
 LocalMap::LocalMap(double alpha, double delta) : c{} {
-  c[0][0] = 1.0;
+  double all[7][7] = {{1.0}};
   for (int k = 1; k < 7; ++k) {
-    for (int j = 0; j <= k; ++j) c[k][j] = delta * c[k - 1][j] + (j > 0 ? alpha * c[k - 1][j - 1] : 0.0);
+    for (int j = 0; j <= k; ++j) all[k][j] = delta * all[k - 1][j] + (j > 0 ? alpha * all[k - 1][j - 1] : 0.0);
   }
-}
-
-const LocalMap& blockMap(int blocks, int index) {
-  static const std::vector<LocalMap> maps = [] {
-    std::vector<LocalMap> table;
-    for (int m = 1; m <= max_blocks; ++m) {
-      for (int b = 0; b < max_blocks; ++b) table.emplace_back(1.0 / m, (2.0 * b + 1.0 - m) / m);
-    }
-    return table;
-  }();
-  return maps[static_cast<std::size_t>((blocks - 1) * max_blocks + index)];
+  for (int j = 0; j < 7; ++j) high[j] = Lanes(all[3][j], all[4][j], all[5][j], all[6][j]);
+  for (int k = 0; k < 4; ++k) std::copy(all[k], all[k] + 4, c[k]);
 }
 
 CubicMoments accumulate(const LineSamples& samples, std::size_t begin, std::size_t end, double centre,
@@ -65,18 +56,14 @@ void addMapped(CubicMoments& whole, const CubicMoments& part, const LocalMap& ma
   const Lanes m1 = c[1][0] * part.y[0] + c[1][1] * part.y[1];
   const Lanes m2 = c[2][0] * part.y[0] + c[2][1] * part.y[1] + c[2][2] * part.y[2];
   const Lanes m3 = c[3][0] * part.y[0] + c[3][1] * part.y[1] + c[3][2] * part.y[2] + c[3][3] * part.y[3];
-  const double powers[7] = {part.y[0][3], part.y[1][3], part.y[2][3], part.high[0],
-                            part.high[1], part.high[2], part.high[3]};
-  double high[4] = {m3[3], 0.0, 0.0, 0.0};
-  for (int k = 4; k < 7; ++k) {
-    for (int j = 0; j <= k; ++j) high[k - 3] += c[k][j] * powers[j];
-  }
   whole.squares += part.squares + shift * (2.0 * part.y[0] + shift * Lanes(part.count()));
   whole.y[0] += m0 + m0[3] * shift;
   whole.y[1] += m1 + m1[3] * shift;
   whole.y[2] += m2 + m2[3] * shift;
   whole.y[3] += m3 + m3[3] * shift;
-  whole.high += Lanes::load(high);
+  whole.high += part.y[0][3] * map.high[0] + part.y[1][3] * map.high[1] + part.y[2][3] * map.high[2] +
+                part.high[0] * map.high[3] + part.high[1] * map.high[4] + part.high[2] * map.high[5] +
+                part.high[3] * map.high[6];
 }
 
 CubicResidual::CubicResidual(const CubicMoments& moments) : reference(moments.reference) {
@@ -123,24 +110,6 @@ Lanes CubicResidual::of(const Lanes a[4], const Lanes& origin) const {
   const Lanes r1 = a[1] + l21 * a[2] + l31 * a[3] - z[1];
   const Lanes r0 = (a[0] + (origin - reference)) + l10 * a[1] + l20 * a[2] + l30 * a[3] - z[0];
   return rest + d[0] * (r0 * r0) + d[1] * (r1 * r1) + d[2] * (r2 * r2) + d[3] * (r3 * r3);
-}
-
-void addNormalEquations(const CubicMoments& span, const CubicSpanMatrix& basis, double* band, double* rhs) {
-  const double S[7] = {span.y[0][3], span.y[1][3], span.y[2][3], span.high[0], span.high[1], span.high[2], span.high[3]};
-  const Lanes M[4] = {Lanes::load(basis[0].data()), Lanes::load(basis[1].data()), Lanes::load(basis[2].data()),
-                      Lanes::load(basis[3].data())};
-  Lanes GM[4];  // Gram matrix of the monomials times M
-  for (std::size_t k = 0; k < 4; ++k) {
-    GM[k] = S[k] * M[0] + S[k + 1] * M[1] + S[k + 2] * M[2] + S[k + 3] * M[3];
-  }
-  for (std::size_t r = 0; r < 4; ++r) {
-    double row[4];
-    (basis[0][r] * GM[0] + basis[1][r] * GM[1] + basis[2][r] * GM[2] + basis[3][r] * GM[3]).store(row);
-    for (std::size_t c = 0; c <= r; ++c) band[r * 4 + c + 3 - r] += row[c];
-    const Lanes right =
-        basis[0][r] * span.y[0] + basis[1][r] * span.y[1] + basis[2][r] * span.y[2] + basis[3][r] * span.y[3];
-    (Lanes::load(rhs + 4 * r) + right).store(rhs + 4 * r);
-  }
 }
 
 }  // namespace scan_to_path::nurbs

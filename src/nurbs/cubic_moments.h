@@ -6,7 +6,6 @@
 
 #include "lanes.h"
 #include "scan_to_path/nurbs/curve_fit.h"
-#include "scan_to_path/nurbs/knot_vector.h"
 
 namespace scan_to_path::nurbs {
 
@@ -24,13 +23,11 @@ struct CubicMoments {
 
 /// Powers of s' = alpha s + delta by powers of s: s'^k = sum over j of c[k][j] s^j.
 struct LocalMap {
-  double c[7][7];
+  double c[4][4];  ///< k, j = 0 … 3
+  Lanes high[7];   ///< high[j]: coefficients of s^j in the powers 3 … 6
+
   LocalMap(double alpha, double delta);
 };
-
-/// Maps from block `index` of `blocks` equal blocks to the whole that they make up; blocks <= max_blocks.
-constexpr int max_blocks = 8;
-const LocalMap& blockMap(int blocks, int index);
 
 /// Moments of samples begin … end with s = (u - centre) * inverse_half; the reference is the first of them.
 CubicMoments accumulate(const LineSamples& samples, std::size_t begin, std::size_t end, double centre,
@@ -57,10 +54,6 @@ struct CubicResidual {
   /// Squared residuals of the cubic with coefficients a[k] of s^k (coordinates less `origin`), lane by lane.
   Lanes of(const Lanes a[4], const Lanes& origin) const;
 };
-
-/// Normal equations of one span: adds its 4 x 4 part to four rows of a band matrix of bandwidth 3 that start at
-/// `band` and its right-hand side to the four rows of four numbers at `rhs`.
-void addNormalEquations(const CubicMoments& span, const CubicSpanMatrix& basis, double* band, double* rhs);
 
 /// Sum of a residual's lanes x, y, z.
 inline double sumOfCoordinates(const Lanes& lanes) { return (lanes[0] + lanes[1]) + lanes[2]; }

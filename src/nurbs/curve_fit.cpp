@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "cubic_moments.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/nurbs/knot_vector.h"
 #include "sorted_samples.h"
@@ -39,12 +38,6 @@ void forEachSpan(const LineSamples& samples, const std::vector<double>& knots, V
   }
 }
 
-double residualSum(const CubicMoments& moments, const CubicSpanMatrix& basis, const double* rows, const Lanes& origin) {
-  Lanes a[4];
-  spanPolynomial(basis, rows, a);
-  return sumOfCoordinates(CubicResidual(moments).of(a, origin));
-}
-
 }  // namespace
 
 CurveFit leastSquaresCurve(const LineSamples& line, const std::vector<double>& knots) {
@@ -54,16 +47,11 @@ CurveFit leastSquaresCurve(const LineSamples& line, const std::vector<double>& k
   checkInside(samples, knots);
   const Lanes origin(samples.x[0], samples.y[0], samples.z[0], 0.0);
   const std::size_t count = knots.size() - degree - 1;
-  NormalEquations equations(count);
-  std::vector<CubicMoments> moments(count);
+  SplineEquations equations(count, origin);
   forEachSpan(samples, knots, [&](std::size_t span, std::size_t begin, std::size_t end) {
     const double half = 0.5 * (knots[span + 1] - knots[span]);
-    CubicMoments& part = moments[span];
-    part = accumulate(samples, begin, end, knots[span] + half, 1.0 / half);
-    CubicMoments shifted;
-    shifted.reference = origin;
-    addMapped(shifted, part, blockMap(1, 0));
-    equations.add(span - degree, shifted, cubicSpanMatrix(&knots[span - 2]));
+    equations.add(span - degree, accumulate(samples, begin, end, knots[span] + half, 1.0 / half),
+                  cubicSpanMatrix(&knots[span - 2]));
   });
   CurveFit fit;
   fit.samples = samples.count;
@@ -72,14 +60,11 @@ CurveFit leastSquaresCurve(const LineSamples& line, const std::vector<double>& k
     SortedSamples::checkFinite(line);
     return fit;
   }
-  double rss = 0.0;
-  forEachSpan(samples, knots, [&](std::size_t span, std::size_t, std::size_t) {
-    rss += residualSum(moments[span], cubicSpanMatrix(&knots[span - 2]), &equations.rhs[4 * (span - degree)], origin);
-  });
+  const double rss = equations.rss();
   if (!std::isfinite(rss)) SortedSamples::checkFinite(line);
   fit.fitted = true;
   fit.curve.knots = knots;
-  fit.curve.control_points = controlPoints(equations.rhs, origin);
+  fit.curve.control_points = equations.controlPoints();
   fit.rms = std::sqrt(rss / static_cast<double>(samples.count));
   fit.sigma = samples.count > count ? std::sqrt(rss / static_cast<double>(samples.count - count)) : 0.0;
   return fit;

@@ -22,25 +22,40 @@ namespace {
 constexpr int degree = 3;
 constexpr std::size_t samples_per_cell = 12;  // at least, and below twice as many: cells are a power of two
 constexpr std::size_t min_cells = 64;
+constexpr int max_blocks = 8;  // in a span
 
-/// Clamped knot at position i in a list of span ends: i = 0 is the first end, lower and higher ones repeat the ends.
-double clampedKnot(const std::vector<int>& ends, int i) {
-  return ends[static_cast<std::size_t>(std::clamp(i, 0, static_cast<int>(ends.size()) - 1))];
+/// A part of a span: 1 or 2 blocks from place `index` on, in a span of `blocks` blocks.
+const LocalMap& partMap(int blocks, int index, int size) {
+  static const std::vector<LocalMap> maps = [] {
+    std::vector<LocalMap> table;
+    for (int m = 1; m <= max_blocks; ++m) {
+      for (int b = 0; b < 2 * max_blocks; ++b) {
+        const double width = b % 2 + 1.0;
+        table.emplace_back(width / m, (2.0 * (b / 2) + width - m) / m);
+      }
+    }
+    return table;
+  }();
+  return maps[static_cast<std::size_t>(((blocks - 1) * max_blocks + index) * 2 + size - 1)];
 }
 
+/// Basis on a span between the given ends; beyond the first and last end knots repeat them.
 CubicSpanMatrix spanMatrix(const std::vector<int>& ends, int span) {
   double knots[6];
-  for (int j = 0; j < 6; ++j) knots[j] = clampedKnot(ends, span - 2 + j);
+  const int last = static_cast<int>(ends.size()) - 1;
+  for (int j = 0; j < 6; ++j) knots[j] = ends[static_cast<std::size_t>(std::clamp(span - 2 + j, 0, last))];
   return cubicSpanMatrix(knots);
 }
 
-/// Polynomial of a block of the span in the block's own parameter.
-void blockPolynomial(const LocalMap& map, const Lanes a[4], Lanes block[4]) {
-  const auto& c = map.c;
-  block[0] = a[0] + c[1][0] * a[1] + c[2][0] * a[2] + c[3][0] * a[3];
-  block[1] = c[1][1] * a[1] + c[2][1] * a[2] + c[3][1] * a[3];
-  block[2] = c[2][2] * a[2] + c[3][2] * a[3];
-  block[3] = c[3][3] * a[3];
+/// Ends of nearly uniform spans on the block grid, the same from either end of the line.
+std::vector<int> spanEnds(int spans, int blocks) {
+  std::vector<int> ends(static_cast<std::size_t>(spans) + 1);
+  for (int k = 0; 2 * k <= spans; ++k) {
+    const int end = static_cast<int>((2LL * k * blocks + spans) / (2LL * spans));
+    ends[static_cast<std::size_t>(k)] = end;
+    ends[static_cast<std::size_t>(spans - k)] = blocks - end;
+  }
+  return ends;
 }
 
 std::size_t powerOfTwoAtMost(std::size_t n) {
@@ -51,22 +66,26 @@ std::size_t powerOfTwoAtMost(std::size_t n) {
 
 }  // namespace
 
-/// Cells merged pairwise, level by level; level 0 is the finest.
 struct LineMoments::Data {
+  /// Cells merged pairwise, level by level; level 0 is the finest.
   struct Level {
     std::vector<CubicMoments> blocks;
-    std::vector<CubicResidual> residuals;
+    double rss = 0.0;  // of the best piecewise cubic, one polynomial per block
+    int rank = 0;      // coefficients that it has
 
-    void factor() {
-      residuals.reserve(blocks.size());
-      for (const CubicMoments& block : blocks) residuals.emplace_back(block);
+    void sumUp() {
+      Lanes rest;
+      for (const CubicMoments& block : blocks) {
+        const CubicResidual residual(block);
+        rest += residual.rest;
+        rank += residual.rank();
+      }
+      rss = sumOfCoordinates(rest);
     }
   };
-  /// A solved spline: ends of its spans, in blocks of the level.
   struct Solution {
-    const Level* level;
-    std::vector<int> ends;
-    std::vector<double> rows;  // control points less the origin, 1
+    SplineEquations equations;
+    std::vector<double> ends;  // of the spans, as fractions of the line
   };
 
   std::size_t count = 0;
@@ -84,19 +103,16 @@ struct LineMoments::Data {
     last = samples.u[count - 1];
     largest_gap = sorted.largestGap();
     origin = Lanes(samples.x[0], samples.y[0], samples.z[0], 0.0);
-    if (!(first < last)) {
-      throw InputError("curve fit", "parameter range", std::to_string(last - first), "above 0");
-    }
+    if (!(first < last)) throw InputError("curve fit", "parameter range", std::to_string(last - first), "above 0");
     fillFinest(samples);
     while (levels.back().blocks.size() > 1) levels.push_back(merged(levels.back()));
-    if (!std::isfinite(sumOfCoordinates(levels.back().blocks[0].squares))) SortedSamples::checkFinite(line);
-    for (Level& level : levels) level.factor();
+    for (Level& level : levels) level.sumUp();
+    if (!std::isfinite(levels.back().rss)) SortedSamples::checkFinite(line);
   }
 
   void fillFinest(const LineSamples& samples) {
     const std::size_t cells = std::max(min_cells, powerOfTwoAtMost(count / samples_per_cell));
     const double width = (last - first) / static_cast<double>(cells);
-    const double inverse_half = 2.0 / width;
     levels.emplace_back();
     levels[0].blocks.reserve(cells);
     std::size_t begin = 0;
@@ -105,30 +121,39 @@ struct LineMoments::Data {
       std::size_t end = c + 1 == cells ? count : begin;
       while (end < count && samples.u[end] < end_of_cell) ++end;
       const double centre = first + width * (static_cast<double>(c) + 0.5);
-      levels[0].blocks.push_back(accumulate(samples, begin, end, centre, inverse_half));
+      levels[0].blocks.push_back(accumulate(samples, begin, end, centre, 2.0 / width));
       begin = end;
     }
   }
 
   static Level merged(const Level& fine) {
     Level coarse;
-    coarse.blocks.resize(fine.blocks.size() / 2);
-    for (std::size_t i = 0; i < coarse.blocks.size(); ++i) {
-      const CubicMoments& left = fine.blocks[2 * i];
-      const CubicMoments& right = fine.blocks[2 * i + 1];
-      CubicMoments& whole = coarse.blocks[i];
-      whole.reference = left.count() > 0.0 ? left.reference : right.reference;
-      addMapped(whole, left, blockMap(2, 0));
-      addMapped(whole, right, blockMap(2, 1));
-    }
+    coarse.blocks.reserve(fine.blocks.size() / 2);
+    for (int i = 0; i < static_cast<int>(fine.blocks.size()); i += 2) coarse.blocks.push_back(joined(fine, nullptr, i, i + 2));
     return coarse;
   }
 
+  /// Moments of blocks begin … end of a level, two at a time where the next coarser level has them merged.
+  static CubicMoments joined(const Level& level, const Level* coarser, int begin, int end) {
+    CubicMoments whole;
+    int size = 1;
+    for (int b = begin; b < end; b += size) {
+      const bool pair = coarser != nullptr && b % 2 == 0 && b + 2 <= end;
+      const auto place = static_cast<std::size_t>(b);
+      const CubicMoments& part = pair ? coarser->blocks[place / 2] : level.blocks[place];
+      size = pair ? 2 : 1;
+      if (part.count() == 0.0) continue;
+      if (whole.count() == 0.0) whole.reference = part.reference;
+      addMapped(whole, part, partMap(end - begin, b - begin, size));
+    }
+    return whole;
+  }
+
   /// The coarsest level with at least four blocks per span, else the finest.
-  const Level& levelFor(std::size_t spans) const {
+  std::size_t levelFor(std::size_t spans) const {
     std::size_t l = levels.size() - 1;
     while (l > 0 && levels[l].blocks.size() < 4 * spans) --l;
-    return levels[l];
+    return l;
   }
 
   bool allows(int control_points) const {
@@ -136,59 +161,28 @@ struct LineMoments::Data {
     return static_cast<std::size_t>(control_points - degree) <= levels[0].blocks.size();
   }
 
-  /// Ends of nearly uniform spans on the block grid, the same from either end of the line.
-  static std::vector<int> spanEnds(int spans, int blocks) {
-    std::vector<int> ends(static_cast<std::size_t>(spans) + 1);
-    for (int k = 0; 2 * k <= spans; ++k) {
-      const int end = static_cast<int>((2LL * k * blocks + spans) / (2LL * spans));
-      ends[static_cast<std::size_t>(k)] = end;
-      ends[static_cast<std::size_t>(spans - k)] = blocks - end;
-    }
-    return ends;
-  }
-
   std::optional<Solution> solve(int control_points) const {
     if (!allows(control_points)) return std::nullopt;
     const int spans = control_points - degree;
-    const Level& level = levelFor(static_cast<std::size_t>(spans));
-    Solution solution{&level, spanEnds(spans, static_cast<int>(level.blocks.size())), {}};
-    NormalEquations equations(static_cast<std::size_t>(control_points));
+    const std::size_t l = levelFor(static_cast<std::size_t>(spans));
+    const Level* coarser = l + 1 < levels.size() ? &levels[l + 1] : nullptr;
+    const int blocks = static_cast<int>(levels[l].blocks.size());
+    const std::vector<int> ends = spanEnds(spans, blocks);
+    Solution solution{SplineEquations(static_cast<std::size_t>(control_points), origin), {}};
     for (int i = 0; i < spans; ++i) {
-      const int begin = solution.ends[static_cast<std::size_t>(i)];
-      const int blocks = solution.ends[static_cast<std::size_t>(i) + 1] - begin;
-      CubicMoments span;
-      span.reference = origin;
-      for (int b = 0; b < blocks; ++b) {
-        addMapped(span, level.blocks[static_cast<std::size_t>(begin + b)], blockMap(blocks, b));
-      }
+      const auto place = static_cast<std::size_t>(i);
+      const CubicMoments span = joined(levels[l], coarser, ends[place], ends[place + 1]);
       if (span.count() == 0.0) return std::nullopt;
-      equations.add(static_cast<std::size_t>(i), span, spanMatrix(solution.ends, i));
+      solution.equations.add(place, span, spanMatrix(ends, i));
     }
-    if (!equations.solve()) return std::nullopt;
-    solution.rows = std::move(equations.rhs);
+    if (!solution.equations.solve()) return std::nullopt;
+    for (const int end : ends) solution.ends.push_back(static_cast<double>(end) / blocks);
     return solution;
   }
 
-  double rss(const Solution& solution) const {
-    Lanes sum;
-    for (int i = 0; i + 1 < static_cast<int>(solution.ends.size()); ++i) {
-      const int begin = solution.ends[static_cast<std::size_t>(i)];
-      const int blocks = solution.ends[static_cast<std::size_t>(i) + 1] - begin;
-      Lanes span[4];
-      spanPolynomial(spanMatrix(solution.ends, i), &solution.rows[4 * static_cast<std::size_t>(i)], span);
-      for (int b = 0; b < blocks; ++b) {
-        Lanes block[4];
-        blockPolynomial(blockMap(blocks, b), span, block);
-        sum += solution.level->residuals[static_cast<std::size_t>(begin + b)].of(block, origin);
-      }
-    }
-    return sumOfCoordinates(sum);
-  }
-
   std::vector<double> knots(const Solution& solution) const {
-    const double blocks = static_cast<double>(solution.level->blocks.size());
     std::vector<double> result(degree, first);
-    for (const int end : solution.ends) result.push_back(first + (last - first) * end / blocks);
+    for (const double end : solution.ends) result.push_back(first + (last - first) * end);
     result.back() = last;
     result.insert(result.end(), degree, last);
     return result;
@@ -207,14 +201,8 @@ int LineMoments::usefulControlPoints(double noise) const {
   double best = std::numeric_limits<double>::infinity();
   std::size_t best_blocks = 1;
   for (const Data::Level& level : data_->levels) {
-    Lanes rest;
-    int rank = 0;
-    for (const CubicResidual& residual : level.residuals) {
-      rest += residual.rest;
-      rank += residual.rank();
-    }
-    if (2.0 * rank > n) continue;
-    const double score = criterion(n, sumOfCoordinates(rest), rank, noise);
+    if (2.0 * level.rank > n) continue;
+    const double score = criterion(n, level.rss, level.rank, noise);
     if (score < best) {
       best = score;
       best_blocks = level.blocks.size();
@@ -228,7 +216,7 @@ int LineMoments::usefulControlPoints(double noise) const {
 
 double LineMoments::rss(int control_points) const {
   const auto solution = data_->solve(control_points);
-  return solution ? data_->rss(*solution) : std::numeric_limits<double>::quiet_NaN();
+  return solution ? solution->equations.rss() : std::numeric_limits<double>::quiet_NaN();
 }
 
 CurveFit LineMoments::fit(int control_points) const {
@@ -238,10 +226,10 @@ CurveFit LineMoments::fit(int control_points) const {
   const auto solution = data_->solve(control_points);
   if (!solution) return result;
   const double n = static_cast<double>(data_->count);
-  const double sum = data_->rss(*solution);
+  const double sum = solution->equations.rss();
   result.fitted = true;
   result.curve.knots = data_->knots(*solution);
-  result.curve.control_points = controlPoints(solution->rows, data_->origin);
+  result.curve.control_points = solution->equations.controlPoints();
   result.rms = std::sqrt(sum / n);
   result.sigma = std::sqrt(sum / (n - control_points));
   return result;

@@ -2,52 +2,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "cubic_moments.h"
 #include "scan_to_path/nurbs/banded_cholesky.h"
+#include "scan_to_path/nurbs/knot_vector.h"
 
 namespace scan_to_path::nurbs {
 
-/// The normal equations of a cubic spline (eq 6, 7) and their solution, relative to an origin.
-struct NormalEquations {
-  BandedMatrix A;
-  std::vector<double> rhs;  // rows of x, y, z, 1
+/// The least-squares problem of a cubic spline: normal equations (eqs 6, 7) put together from the moments of its
+/// spans, their solution and its residual.
+class SplineEquations {
+public:
+  /// Control points are solved for relative to `origin` (lane 3 is 0), so that they keep their digits.
+  SplineEquations(std::size_t control_points, const Lanes& origin);
 
-  explicit NormalEquations(std::size_t control_points) : A(control_points, 3), rhs(4 * control_points, 0.0) {}
+  /// Adds the samples of the span whose first basis function is number `first`.
+  void add(std::size_t first, const CubicMoments& moments, const CubicSpanMatrix& basis);
 
-  void add(std::size_t span, const CubicMoments& moments, const CubicSpanMatrix& basis) {
-    addNormalEquations(moments, basis, A.row(span), &rhs[4 * span]);
-  }
+  /// False when the samples do not determine the control points; then nothing else may be asked for.
+  bool solve();
 
-  /// Control points in place of the right-hand sides; false when the samples do not determine them.
-  bool solve() {
-    // Between uniform cubic B-splines on filled spans pivots stay above 1e-3 of the diagonal.
-    constexpr double tolerance = 1e-10;
-    const BandedCholesky cholesky(std::move(A), tolerance);
-    if (!cholesky.positiveDefinite()) return false;
-    cholesky.solve(rhs.data(), 4);
-    return true;
-  }
+  /// Residual sum of squares over x, y and z [m^2]; never negative.
+  double rss() const;
+
+  std::vector<geometry::Vector3> controlPoints() const;
+
+private:
+  struct Span {
+    std::size_t first;
+    CubicMoments moments;
+    CubicSpanMatrix basis;
+  };
+
+  Lanes origin_;
+  BandedMatrix A_;
+  std::vector<double> rows_;  // right-hand sides, then the solution: x, y, z, 1 of each control point
+  std::vector<Span> spans_;
 };
-
-/// The solved rows, less the constant, as points.
-inline std::vector<Vector3> controlPoints(const std::vector<double>& rows, const Lanes& origin) {
-  std::vector<Vector3> points;
-  points.reserve(rows.size() / 4);
-  for (std::size_t i = 0; i < rows.size(); i += 4) {
-    points.emplace_back(rows[i] + origin[0], rows[i + 1] + origin[1], rows[i + 2] + origin[2]);
-  }
-  return points;
-}
-
-/// Coefficients of the spline's polynomial on one span, lanes x, y, z, 1.
-inline void spanPolynomial(const CubicSpanMatrix& basis, const double* rows, Lanes a[4]) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    a[k] = basis[k][0] * Lanes::load(rows) + basis[k][1] * Lanes::load(rows + 4) +
-           basis[k][2] * Lanes::load(rows + 8) + basis[k][3] * Lanes::load(rows + 12);
-  }
-}
 
 }  // namespace scan_to_path::nurbs
