@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "planned_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/program/blend_zone.h"
+#include "scan_to_path/program/rapid_names.h"
+
+namespace scan_to_path::program {
+namespace {
+
+/// Zones that a program uses [m]: the radius is rounded down to one of them, below the first the robot stops.
+constexpr std::array<double, 12> zone_steps = {10e-6, 20e-6, 50e-6, 100e-6, 200e-6, 500e-6,
+                                               1e-3,  2e-3,  5e-3,  10e-3,  20e-3,  50e-3};
+
+/// A controller takes targets within its reach; beyond this the input is not a robot's path.
+constexpr double largest_coordinate = 100.0;
+
+/// Joint angles per waypoint: of all trajectory points that carry its numbers the last is the waypoint itself.
+class JointTable {
+public:
+  explicit JointTable(const ProgramInput& input) {
+    for (const auto& segment : input.path.segments) table_.emplace_back(segment.waypoints.size(), nullptr);
+    for (const auto& point : input.plan.trajectory.points) {
+      if (point.segment < 0 || point.segment >= static_cast<int>(table_.size()) || point.index < 0 ||
+          point.index >= static_cast<int>(table_[point.segment].size())) {
+        throw InputError("trajectory point for segment " + std::to_string(point.segment) + " waypoint " +
+                         std::to_string(point.index) + ": the path has no such waypoint");
+      }
+      table_[point.segment][point.index] = &point.q;
+    }
+  }
+
+  const JointVector* find(int segment, int index) const { return table_[segment][index]; }
+
+private:
+  std::vector<std::vector<const JointVector*>> table_;
+};
+
+void checkFrame(const Frame& T, const std::string& where) {
+  if (!T.matrix().allFinite()) throw InputError(where, "pose", "not finite", "finite");
+  const double skew = (T.linear().transpose() * T.linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (skew > 1e-6 || T.linear().determinant() < 0.0) {
+    throw InputError(where, "rotation", "off orthogonal by " + fixed(skew, 9), "a right-handed rotation within 1e-6");
+  }
+  const double reach = T.translation().cwiseAbs().maxCoeff();
+  if (reach > largest_coordinate) {
+    throw InputError(where, "coordinate", fixed(reach, 3) + " m", "within " + fixed(largest_coordinate, 0) + " m");
+  }
+}
+
+void checkJoints(const ProgramInput& input, const JointVector& q, const std::string& where) {
+  if (q.size() != input.robot.dof()) {
+    throw InputError(where, "number of joint angles", std::to_string(q.size()), std::to_string(input.robot.dof()));
+  }
+  if (!q.allFinite()) throw InputError(where, "joint angle", "not finite", "finite");
+}
+
+void checkFeed(const ProgramInput& input, double feed, const std::string& where) {
+  // Speeds are written to 1e-6 m/s; anything slower would read as a standstill.
+  if (!(feed >= 1e-6 && feed <= input.options.max_speed)) {
+    throw InputError(where, "feed", std::isfinite(feed) ? fixed(feed, 6) + " m/s" : "not finite",
+                     "in [0.000001, " + fixed(input.options.max_speed, 3) + "] m/s (program.max_speed)");
+  }
+}
+
+double roundedDown(double radius) {
+  const auto above = std::upper_bound(zone_steps.begin(), zone_steps.end(), radius);
+  return above == zone_steps.begin() ? 0.0 : *(above - 1);
+}
+
+/// Stops at the ends of segments, where the process is switched (a program runs ahead of the arm, so that only a
+/// stop ties a switch to a place) and before gaps; blends within the tolerance elsewhere.
+void setZones(const ProgramInput& input, std::vector<PlannedMove>& moves) {
+  for (std::size_t i = 1; i + 1 < moves.size(); ++i) {
+    const auto& next = moves[i + 1];
+    if (next.segment != moves[i].segment || next.process_on != moves[i].process_on || next.after_gap) continue;
+    const double radius =
+        blendRadius(moves[i - 1].T_workobject_tcp.translation(), moves[i].T_workobject_tcp.translation(),
+                    next.T_workobject_tcp.translation(), input.options.zone_tolerance);
+    moves[i].zone = roundedDown(radius);
+  }
+}
+
+}  // namespace
+
+std::string waypointLabel(const toolpath::ToolPath& path, int segment, int index) {
+  return "segment " + asciiLine(path.segments[segment].name) + " (" + std::to_string(segment) + ") waypoint " +
+         std::to_string(index);
+}
+
+std::vector<PlannedMove> plannedMoves(const ProgramInput& input) {
+  checkFrame(input.T_base_path, "frame of the path");
+  checkFrame(input.path.T_contact_tcp, "T_contact_tcp of the path");
+  checkFrame(input.T_tip_tcp, "tool mount");
+  checkFrame(input.T_base_workobject, "work object");
+  const JointTable joints(input);
+  const Frame T_workobject_path = input.T_base_workobject.inverse() * input.T_base_path;
+  std::vector<PlannedMove> moves;
+  moves.reserve(input.plan.trajectory.points.size());
+  bool gap = false;
+  for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
+    const auto& waypoints = input.path.segments[s].waypoints;
+    for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
+      const std::string where = waypointLabel(input.path, s, i);
+      checkFrame(waypoints[i].pose, where);
+      const JointVector* q = joints.find(s, i);
+      if (q == nullptr) {
+        if (!input.allow_partial) throw InputError(where, "joint solution", "missing", "there");
+        gap = true;
+        continue;
+      }
+      checkJoints(input, *q, where);
+      const bool first = moves.empty();
+      if (!first) checkFeed(input, waypoints[i].feed, where);
+      if (first && waypoints[i].process_on && !gap) {
+        throw InputError(where, "process", "on", "off at the path's first waypoint, which an axis move reaches");
+      }
+      moves.push_back({s, i, T_workobject_path * waypoints[i].pose * input.path.T_contact_tcp, *q,
+                       first ? input.options.start_speed : waypoints[i].feed,
+                       waypoints[i].process_on && !gap && !first, gap && !first, 0.0});
+      gap = false;
+    }
+  }
+  if (moves.empty()) throw InputError("robot program: the plan has no waypoint with joint angles");
+  setZones(input, moves);
+  return moves;
+}
+
+geometry::Vector3 dryShift(const ProgramInput& input) {
+  const auto& options = input.options;
+  if (options.dry_offset <= 0.0) return geometry::Vector3::Zero();
+  const geometry::Vector3 shift = options.dry_offset * options.dry_direction.normalized();
+  const Eigen::Matrix3d R_workobject_path = input.T_base_workobject.linear().transpose() * input.T_base_path.linear();
+  for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
+    const auto& waypoints = input.path.segments[s].waypoints;
+    for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
+      const double lift = (R_workobject_path * waypoints[i].pose.linear().col(2)).dot(shift);
+      // Half the offset along the normal: 60 degrees between the normal and dry_direction.
+      if (waypoints[i].process_on && lift < 0.5 * options.dry_offset) {
+        throw InputError(waypointLabel(input.path, s, i), "lift of the air run along the normal",
+                         fixed(1e3 * lift, 3) + " mm",
+                         "at least half of dry_offset: turn program.dry_direction towards the outward normals");
+      }
+    }
+  }
+  return shift;
+}
+
+}  // namespace scan_to_path::program

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/program/axis_configuration.h"
+#include "scan_to_path/program/program.h"
+#include "scan_to_path/program/rapid_reader.h"
+
+namespace scan_to_path::program {
+namespace {
+
+constexpr double right_angle = 1.5707963267948966;
+constexpr double degrees_per_radian = 57.29577951308232;
+
+// The bars: what a program may differ from the plan by.
+constexpr double position_limit = 1e-6;                          // [m]
+constexpr double angle_limit = 0.001 / degrees_per_radian;       // [rad]
+constexpr double feed_limit = 1e-6;                              // [m/s]
+constexpr double axis_limit = 1e-5 / degrees_per_radian;         // [rad]: ten times the last digit written
+// Planned joint angles may miss the pose by 1 um and 0.001 degree; at 0.5 m of tool that turn moves the TCP by 9 um.
+constexpr double start_position_limit = 10e-6;                   // [m]
+constexpr double start_angle_limit = 2.0 * angle_limit;          // [rad]
+
+/// Angle between two rotations [rad] from the distance of their matrices: |A - B| = 2 sqrt(2) sin(angle / 2).
+double rotationDistance(const Frame& a, const Frame& b) {
+  return 2.0 * std::asin(std::min(1.0, (a.linear() - b.linear()).norm() / std::sqrt(8.0)));
+}
+
+/// A waypoint as the plan has it.
+struct Expected {
+  int segment = 0;
+  int index = 0;
+  const toolpath::Waypoint* waypoint = nullptr;
+  const JointVector* q = nullptr;
+  bool after_gap = false;
+};
+
+/// The plan's waypoints that have joint angles, in order.
+std::vector<Expected> expectedMoves(const ProgramInput& input) {
+  std::vector<Expected> expected;
+  const auto& points = input.plan.trajectory.points;
+  std::size_t at = 0;
+  bool gap = false;
+  for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
+    const auto& waypoints = input.path.segments[s].waypoints;
+    for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
+      const JointVector* q = nullptr;
+      for (; at < points.size() && points[at].segment == s && points[at].index == i; ++at) q = &points[at].q;
+      if (q != nullptr) expected.push_back({s, i, &waypoints[i], q, gap && !expected.empty()});
+      gap = q == nullptr;
+    }
+  }
+  return expected;
+}
+
+class Comparison {
+public:
+  Comparison(const ProgramInput& input, const RapidProgram& program, std::size_t limit)
+      : input_(input), program_(program), limit_(limit) {
+    const geometry::Vector3 lift = input.options.dry_direction / input.options.dry_direction.norm();
+    lift_base_ = input.T_base_workobject.linear() * (input.options.dry_offset * lift);
+  }
+
+  std::vector<Discrepancy> run() {
+    const auto expected = expectedMoves(input_);
+    const auto& moves = program_.moves;
+    if (moves.size() != expected.size() + 1) {
+      report(nullptr, "program has " + std::to_string(moves.size()) + " moves, the plan needs " +
+                          std::to_string(expected.size() + 1) + " (one to the start, one to each waypoint)");
+    }
+    if (moves.empty() || expected.empty()) return std::move(found_);
+    checkStart(moves.front(), expected.front());
+    checkTool();
+    const std::size_t count = std::min(moves.size() - 1, expected.size());
+    for (std::size_t i = 0; i < count && found_.size() < limit_; ++i) {
+      checkTarget(moves[i + 1], expected[i]);
+      checkFeed(moves[i + 1], expected[i], i == 0);
+      checkProcess(moves[i + 1], expected[i]);
+      checkAxes(moves[i + 1], expected[i]);
+      const bool last = i + 1 == expected.size();
+      checkZone(i + 1, expected[i], last || expected[i + 1].segment != expected[i].segment);
+    }
+    return std::move(found_);
+  }
+
+private:
+  void report(const Expected* at, const std::string& text, const RapidMove* move = nullptr) {
+    if (found_.size() >= limit_) return;
+    const std::string where = move != nullptr ? move->file + " line " + std::to_string(move->line) + ": " : "";
+    found_.push_back({at != nullptr ? at->segment : -1, at != nullptr ? at->index : -1, where + text});
+  }
+
+  Frame plannedTarget(const Expected& at) const {
+    Frame T = input_.T_base_path * at.waypoint->pose * input_.path.T_contact_tcp;
+    if (input_.options.dry_offset > 0.0) T.translation() += lift_base_;
+    return T;
+  }
+
+  void checkTarget(const RapidMove& move, const Expected& at) {
+    if (move.type != RapidMoveType::linear) report(&at, "the move is not linear", &move);
+    const Frame planned = plannedTarget(at);
+    const double distance = (move.T_base_tcp.translation() - planned.translation()).norm();
+    if (!(distance <= position_limit)) {
+      report(&at, "target is " + fixed(1e6 * distance, 3) + " um off the plan, limit 1 um", &move);
+    }
+    const double angle = rotationDistance(move.T_base_tcp, planned);
+    if (!(angle <= angle_limit)) {
+      report(&at, "target is turned " + fixed(degrees_per_radian * angle, 5) + " deg off the plan, limit 0.001 deg",
+             &move);
+    }
+  }
+
+  void checkFeed(const RapidMove& move, const Expected& at, bool first) {
+    const double planned = first ? input_.options.start_speed : at.waypoint->feed;
+    if (!(std::abs(move.speed - planned) <= feed_limit)) {
+      report(&at, "feed is " + fixed(move.speed, 6) + " m/s, planned " + fixed(planned, 6) + " m/s", &move);
+    }
+    if (!(std::abs(move.orientation_speed - input_.options.orientation_speed) <= 1e-4)) {
+      report(&at, "orientation speed is " + fixed(move.orientation_speed, 4) + " rad/s, planned " +
+                      fixed(input_.options.orientation_speed, 4) + " rad/s", &move);
+    }
+  }
+
+  void checkProcess(const RapidMove& move, const Expected& at) {
+    const bool planned = at.waypoint->process_on && !at.after_gap;
+    if (move.process_on != planned) {
+      report(&at, std::string("process is ") + (move.process_on ? "on" : "off") + ", planned " +
+                      (planned ? "on" : "off"), &move);
+    }
+    if (move.after_stop != at.after_gap) {
+      report(&at, at.after_gap ? "waypoints are missing before it without a stop" : "an unplanned stop is before it",
+             &move);
+    }
+  }
+
+  /// Quadrants by their definition: 90 cf <= angle <= 90 (cf + 1) degrees.
+  void checkAxes(const RapidMove& move, const Expected& at) {
+    const JointVector axes = controllerAxes(input_.robot, input_.options.linkage, *at.q);
+    constexpr std::array<int, 3> joints = {0, 3, 5};
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const double lower = right_angle * move.configuration[i];
+      const double angle = axes[joints[i]];
+      if (angle < lower - 1e-6 || angle > lower + right_angle + 1e-6) {
+        report(&at, "quadrant of axis " + std::to_string(joints[i] + 1) + " is " +
+                        std::to_string(move.configuration[i]) + " at " + fixed(degrees_per_radian * angle, 3) + " deg",
+               &move);
+      }
+    }
+    const bool negative = move.configuration[3] % 2 != 0;
+    if (std::abs(axes[4]) > 1e-6 && negative != (axes[4] < 0.0)) {
+      report(&at, "cfx " + std::to_string(move.configuration[3]) + " does not fit axis 5 at " +
+                      fixed(degrees_per_radian * axes[4], 3) + " deg", &move);
+    }
+    const auto& limits = input_.robot.joints[2];
+    if (axes[2] < limits.lower || axes[2] > limits.upper) {
+      report(&at, "axis 3 would stand at " + fixed(degrees_per_radian * axes[2], 3) + " deg on the controller, limits " +
+                      fixed(degrees_per_radian * limits.lower, 1) + " and " +
+                      fixed(degrees_per_radian * limits.upper, 1) + " deg", &move);
+    }
+  }
+
+  /// The corner at moves[m] may be cut by the tolerance and the zones of neighbours must not meet.
+  void checkZone(std::size_t m, const Expected& at, bool segment_end) {
+    const auto& moves = program_.moves;
+    if (moves[m].stop) return;
+    if (segment_end) report(&at, "no stop at the end of a segment", &moves[m]);
+    if (m < 2 || m + 1 >= moves.size()) return report(&at, "a zone at the first or last waypoint", &moves[m]);
+    if (moves[m + 1].process_on != moves[m].process_on) report(&at, "no stop where the process is switched", &moves[m]);
+    const geometry::Vector3 in = moves[m].T_base_tcp.translation() - moves[m - 1].T_base_tcp.translation();
+    const geometry::Vector3 out = moves[m + 1].T_base_tcp.translation() - moves[m].T_base_tcp.translation();
+    const double sine_half = std::sin(0.5 * geometry::angleBetween(in, out));
+    // The positions behind it are rounded to 0.05 um.
+    if (moves[m].zone * sine_half > input_.options.zone_tolerance + 1e-6 ||
+        moves[m].zone > 0.5 * std::min(in.norm(), out.norm()) + 1e-6) {
+      report(&at, "zone of " + fixed(1e3 * moves[m].zone, 3) + " mm leaves the path by more than " +
+                      fixed(1e6 * input_.options.zone_tolerance, 1) + " um or meets its neighbour", &moves[m]);
+    }
+  }
+
+  void checkStart(const RapidMove& move, const Expected& at) {
+    if (move.type != RapidMoveType::absolute_joint) return report(&at, "the first move is not MoveAbsJ", &move);
+    if (!move.stop) report(&at, "no stop at the start", &move);
+    if (move.process_on) report(&at, "process is on while the arm moves to the start", &move);
+    const bool parallel = hasParallelLinkage(input_.robot, input_.options.linkage);
+    JointVector q(6);
+    for (int i = 0; i < 6; ++i) q[i] = move.axes[static_cast<std::size_t>(i)];
+    if (parallel) q[2] -= q[1];
+    for (int i = 0; i < 6; ++i) {
+      if (!(std::abs(q[i] - (*at.q)[i]) <= axis_limit)) {
+        report(&at, "start angle of joint " + std::to_string(i + 1) + " is " + fixed(degrees_per_radian * q[i], 6) +
+                        " deg, planned " + fixed(degrees_per_radian * (*at.q)[i], 6) + " deg", &move);
+      }
+    }
+    checkStartPose(move, at, q);
+  }
+
+  /// Forward kinematics of the start angles read against the first target read, which it does not come from.
+  void checkStartPose(const RapidMove& move, const Expected& at, const JointVector& q) {
+    if (program_.moves.size() < 2) return;
+    const Frame reached = robot::forwardKinematics(input_.robot, q) * program_.tools[move.tool].T_tip_tcp;
+    Frame target = program_.moves[1].T_base_tcp;
+    if (input_.options.dry_offset > 0.0) target.translation() -= lift_base_;
+    const double distance = (reached.translation() - target.translation()).norm();
+    const double angle = rotationDistance(reached, target);
+    if (!(distance <= start_position_limit && angle <= start_angle_limit)) {
+      report(&at, "start angles put the tool " + fixed(1e6 * distance, 3) + " um and " +
+                      fixed(degrees_per_radian * angle, 5) + " deg off the first target", &move);
+    }
+  }
+
+  void checkTool() {
+    if (program_.tools.size() != 1) report(nullptr, "moves use " + std::to_string(program_.tools.size()) + " tools");
+    const auto& tool = program_.tools.front();
+    const auto& options = input_.options;
+    if (!((tool.T_tip_tcp.translation() - input_.T_tip_tcp.translation()).norm() <= position_limit &&
+          rotationDistance(tool.T_tip_tcp, input_.T_tip_tcp) <= angle_limit)) {
+      report(nullptr, "tool frame differs from the tool mount");
+    }
+    if (!(std::abs(tool.mass - options.tool_mass) <= 1e-3 &&
+          (tool.centre_of_gravity - options.tool_centre_of_gravity).norm() <= position_limit &&
+          (tool.inertia - options.tool_inertia).norm() <= 1e-5)) {
+      report(nullptr, "tool load differs from program.tool_mass, tool_centre_of_gravity, tool_inertia");
+    }
+  }
+
+  const ProgramInput& input_;
+  const RapidProgram& program_;
+  std::size_t limit_;
+  geometry::Vector3 lift_base_ = geometry::Vector3::Zero();
+  std::vector<Discrepancy> found_;
+};
+
+}  // namespace
+
+std::vector<Discrepancy> readBack(Controller controller, const ProgramInput& input,
+                                  const std::vector<ProgramFile>& files, std::size_t limit) {
+  if (controller != Controller::abb) throw InputError("no program reader for this controller");
+  RapidReadOptions options;
+  options.process_on = input.options.process_on;
+  options.process_off = input.options.process_off;
+  options.process_signal = input.options.process_signal;
+  try {
+    return Comparison(input, readRapid(files, options), limit).run();
+  } catch (const InputError& error) {
+    return {{-1, -1, error.what()}};
+  }
+}
+
+}  // namespace scan_to_path::program
