@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <kdl/chain.hpp>
-#include <kdl/chainiksolverpos_lma.hpp>
 
 #include "chain_walk.h"
 
@@ -18,30 +16,12 @@ constexpr double position_tolerance = 1e-7;  // promised [m]
 constexpr double rotation_tolerance = 1e-7;  // promised [rad]
 constexpr double converged = 1e-10;          // where the iteration stops: [m] and [rad]
 constexpr int max_iterations = 50;
-constexpr int configuration_starts = 200;
+constexpr int configuration_starts = 200;  // for allConfigurations
+constexpr int fallback_starts = 12;        // for solve, when its seed leads nowhere
 constexpr double turn = 2.0 * M_PI;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 8>;
-
-KDL::Rotation toKdl(const Eigen::Matrix3d& R) {
-  return {R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)};
-}
-KDL::Vector toKdl(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-KDL::Frame toKdl(const Frame& T) { return {toKdl(Eigen::Matrix3d(T.linear())), toKdl(Vector3(T.translation()))}; }
-
-KDL::Chain kdlChain(const Robot& robot) {
-  KDL::Chain chain;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const Joint& joint = robot.joints[i];
-    Frame T = joint.T_parent_joint;
-    const KDL::Joint kdl_joint(joint.name, toKdl(Vector3(T.translation())), toKdl(Vector3(T.linear() * joint.axis)),
-                               KDL::Joint::RotAxis);
-    if (i + 1 == robot.joints.size()) T = T * robot.T_last_tip;
-    chain.addSegment(KDL::Segment(joint.name, kdl_joint, toKdl(T)));
-  }
-  return chain;
-}
 
 /// Farthest the tip can be from the first joint's origin [m].
 double longestReach(const Robot& robot) {
@@ -131,26 +111,16 @@ double distanceFromMiddle(const Robot& robot, const JointVector& q) {
 }  // namespace
 
 struct InverseKinematics::Impl {
-  explicit Impl(const Robot& source)
-      : robot(source),
-        reach(longestReach(source)),
-        starts(startingPoints(source)),
-        chain(kdlChain(source)),
-        lma(chain, 1e-9, 500, 1e-15),  // with its default of 1e-5 it reports success 7e-4 rad off
-        lma_seed(static_cast<unsigned>(source.dof())),
-        lma_result(static_cast<unsigned>(source.dof())) {}
+  explicit Impl(const Robot& source) : robot(source), reach(longestReach(source)), starts(startingPoints(source)) {}
 
   double beyondReach(const Frame& T_base_tip) const;
   bool iterate(const Frame& T_base_tip, JointVector& q, Miss& miss) const;
-  bool levenbergMarquardt(const Frame& T_base_tip, const JointVector& seed, JointVector& q);
+  bool search(const Frame& T_base_tip, JointVector& q, Miss& miss) const;
   bool accepted(const Frame& T_base_tip, const JointVector& q) const;
 
   Robot robot;
   double reach;
   std::vector<JointVector> starts;
-  KDL::Chain chain;
-  KDL::ChainIkSolverPos_LMA lma;
-  KDL::JntArray lma_seed, lma_result;
 };
 
 /// How much farther than the stretched arm the pose is [m]; NaN for one that is not finite.
@@ -188,11 +158,16 @@ bool InverseKinematics::Impl::iterate(const Frame& T_base_tip, JointVector& q, M
   return false;
 }
 
-bool InverseKinematics::Impl::levenbergMarquardt(const Frame& T_base_tip, const JointVector& seed, JointVector& q) {
-  lma_seed.data = seed;
-  if (lma.CartToJnt(lma_seed, toKdl(T_base_tip), lma_result) < 0) return false;
-  q = lma_result.data;
-  return true;
+/// Tries from q, then from the first fixed starts; `miss` is that of the closest try.
+bool InverseKinematics::Impl::search(const Frame& T_base_tip, JointVector& q, Miss& miss) const {
+  if (iterate(T_base_tip, q, miss)) return true;
+  for (int k = 0; k < fallback_starts; ++k) {
+    q = starts[static_cast<std::size_t>(k)];
+    Miss other;
+    if (iterate(T_base_tip, q, other)) return true;
+    if (other.position < miss.position) miss = other;
+  }
+  return false;
 }
 
 bool InverseKinematics::Impl::accepted(const Frame& T_base_tip, const JointVector& q) const {
@@ -210,9 +185,7 @@ std::optional<JointVector> InverseKinematics::solve(const Frame& T_base_tip, con
                                                     Miss* miss) const {
   Miss least{impl_->beyondReach(T_base_tip), 0.0};
   JointVector q = seed;
-  const bool found = least.position <= 0.0 &&
-                     (impl_->iterate(T_base_tip, q, least) || impl_->levenbergMarquardt(T_base_tip, seed, q)) &&
-                     impl_->accepted(T_base_tip, q);
+  const bool found = least.position <= 0.0 && impl_->search(T_base_tip, q, least) && impl_->accepted(T_base_tip, q);
   if (miss != nullptr) *miss = least;
   if (!found) return std::nullopt;
   for (int i = 0; i < q.size(); ++i) q[i] = nearestTurn(q[i], seed[i]);
