@@ -14,6 +14,7 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/nurbs/knot_vector.h"
 #include "sorted_samples.h"
+#include "span_layout.h"
 #include "spline_equations.h"
 
 namespace scan_to_path::nurbs {
@@ -39,31 +40,6 @@ const LocalMap& partMap(int blocks, int index, int size) {
   return maps[static_cast<std::size_t>(((blocks - 1) * max_blocks + index) * 2 + size - 1)];
 }
 
-/// Basis on a span between the given ends; beyond the first and last end knots repeat them.
-CubicSpanMatrix spanMatrix(const std::vector<int>& ends, int span) {
-  double knots[6];
-  const int last = static_cast<int>(ends.size()) - 1;
-  for (int j = 0; j < 6; ++j) knots[j] = ends[static_cast<std::size_t>(std::clamp(span - 2 + j, 0, last))];
-  return cubicSpanMatrix(knots);
-}
-
-/// Ends of nearly uniform spans on the block grid, the same from either end of the line.
-std::vector<int> spanEnds(int spans, int blocks) {
-  std::vector<int> ends(static_cast<std::size_t>(spans) + 1);
-  for (int k = 0; 2 * k <= spans; ++k) {
-    const int end = static_cast<int>((2LL * k * blocks + spans) / (2LL * spans));
-    ends[static_cast<std::size_t>(k)] = end;
-    ends[static_cast<std::size_t>(spans - k)] = blocks - end;
-  }
-  return ends;
-}
-
-std::size_t powerOfTwoAtMost(std::size_t n) {
-  std::size_t power = 1;
-  while (2 * power <= n) power *= 2;
-  return power;
-}
-
 }  // namespace
 
 struct LineMoments::Data {
@@ -85,7 +61,7 @@ struct LineMoments::Data {
   };
   struct Solution {
     SplineEquations equations;
-    std::vector<double> ends;  // of the spans, as fractions of the line
+    std::vector<double> knots;
   };
 
   std::size_t count = 0;
@@ -111,7 +87,7 @@ struct LineMoments::Data {
   }
 
   void fillFinest(const LineSamples& samples) {
-    const std::size_t cells = std::max(min_cells, powerOfTwoAtMost(count / samples_per_cell));
+    const std::size_t cells = powerOfTwoAtMost(std::max(min_cells, count / samples_per_cell));
     const double width = (last - first) / static_cast<double>(cells);
     levels.emplace_back();
     levels[0].blocks.reserve(cells);
@@ -168,7 +144,8 @@ struct LineMoments::Data {
     const Level* coarser = l + 1 < levels.size() ? &levels[l + 1] : nullptr;
     const int blocks = static_cast<int>(levels[l].blocks.size());
     const std::vector<int> ends = spanEnds(spans, blocks);
-    Solution solution{SplineEquations(static_cast<std::size_t>(control_points), origin), {}};
+    Solution solution{SplineEquations(static_cast<std::size_t>(control_points), origin),
+                      cubicKnots(ends, blocks, first, last)};
     for (int i = 0; i < spans; ++i) {
       const auto place = static_cast<std::size_t>(i);
       const CubicMoments span = joined(levels[l], coarser, ends[place], ends[place + 1]);
@@ -176,16 +153,7 @@ struct LineMoments::Data {
       solution.equations.add(place, span, spanMatrix(ends, i));
     }
     if (!solution.equations.solve()) return std::nullopt;
-    for (const int end : ends) solution.ends.push_back(static_cast<double>(end) / blocks);
     return solution;
-  }
-
-  std::vector<double> knots(const Solution& solution) const {
-    std::vector<double> result(degree, first);
-    for (const double end : solution.ends) result.push_back(first + (last - first) * end);
-    result.back() = last;
-    result.insert(result.end(), degree, last);
-    return result;
   }
 };
 
@@ -228,7 +196,7 @@ CurveFit LineMoments::fit(int control_points) const {
   const double n = static_cast<double>(data_->count);
   const double sum = solution->equations.rss();
   result.fitted = true;
-  result.curve.knots = data_->knots(*solution);
+  result.curve.knots = solution->knots;
   result.curve.control_points = solution->equations.controlPoints();
   result.rms = std::sqrt(sum / n);
   result.sigma = std::sqrt(sum / (n - control_points));

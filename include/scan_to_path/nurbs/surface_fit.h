@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "scan_to_path/common/options.h"
+#include "scan_to_path/nurbs/surface.h"
+
+namespace scan_to_path::nurbs {
+
+/// View of a scan line's samples, `count` of each: heights w over the (u, v) plane [m].
+struct HeightSamples {
+  const double* u = nullptr;
+  const double* v = nullptr;
+  const double* w = nullptr;
+  std::size_t count = 0;
+};
+
+struct SurfaceFitOptions {
+  double noise = 0.0;
+  int max_control_points = 64;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.noise, Field{"noise", "m", "known sensor noise (standard deviation); 0: unknown, by cross-validation", 0, 1});
+    visit(self.max_control_points, Field{"max_control_points", "", "upper limit along each direction", 4, 64});
+  }
+};
+
+/// A fitted height surface with the evidence for it.
+struct SurfaceFit {
+  Surface surface;           ///< bicubic, points (u, v, w): control points at (Greville u, Greville v, w)
+  int count_u = 0;           ///< control points along u
+  int count_v = 0;           ///< control points along v
+  std::size_t samples = 0;   ///< samples fitted
+  double parameters = 0.0;   ///< control points with a sample in their support
+  double rms = 0.0;          ///< sqrt(RSS / n) [m]
+  double sigma = 0.0;        ///< noise estimate sqrt(RSS / (n - parameters)) [m]
+};
+
+/// Least-squares bicubic height function on nearly uniform knots over the samples' bounding rectangle, its numbers of
+/// control points along u and v chosen by generalised cross-validation (or Mallows' criterion with known noise).
+///
+/// `lines` are the scan lines, roughly along u; their number limits the control points along v (two for every three
+/// lines). Cells without samples are bridged by a thin-plate energy so weak (1e-7 of the data term at the scale of a
+/// knot span) that where there are samples it moves the fit by less than a thousandth of the approximation error.
+/// Cost: one pass over the samples; after it everything works on sums per grid cell. RMS below about 1e-8 of the
+/// height range is rounding.
+/// Throws InputError when there are no samples, one is not finite, or they span no rectangle.
+SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options = {});
+
+/// The same with given numbers of control points, each at least 4. Throws InputError for numbers out of
+/// [4, 67] too; with more than the samples determine the thin-plate energy decides.
+SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, int count_u, int count_v);
+
+}  // namespace scan_to_path::nurbs

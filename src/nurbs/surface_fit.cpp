@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/nurbs/surface_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "fit_criterion.h"
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/nurbs/knot_vector.h"
+#include "span_layout.h"
+#include "surface_moments.h"
+
+namespace scan_to_path::nurbs {
+namespace {
+
+constexpr int degree = 3;
+constexpr std::size_t max_cells = 128;
+constexpr std::size_t min_cells = 64;
+constexpr int max_count = 67;
+// Weight of the thin-plate energy against the data at the scale of a span: see fitHeightSurface.
+constexpr double thin_plate = 1e-7;
+
+/// Integrals of products of derivatives of cubic B-splines, orders 0, 1, 2: [order][i * 4 + d] of functions i, i - d.
+struct DerivativeProducts {
+  std::vector<double> order[3];
+
+  explicit DerivativeProducts(const std::vector<double>& knots) {
+    const std::size_t count = knots.size() - 4;
+    for (auto& products : order) products.assign(count * 4, 0.0);
+    for (std::size_t i = degree; i < count; ++i) addSpan(i - degree, &knots[i - 2]);
+  }
+
+  double at(std::size_t k, std::size_t i, std::size_t j) const {
+    const std::size_t high = std::max(i, j);
+    return order[k][high * 4 + high - std::min(i, j)];
+  }
+
+private:
+  void addSpan(std::size_t first, const double* six_knots) {
+    CubicSpanMatrix m = cubicSpanMatrix(six_knots);
+    const double half = 0.5 * (six_knots[3] - six_knots[2]);
+    const double integral[7] = {2.0, 0.0, 2.0 / 3.0, 0.0, 0.4, 0.0, 2.0 / 7.0};  // of s^k over [-1, 1]
+    for (auto& products : order) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+          double sum = 0.0;
+          for (std::size_t k = 0; k < 16; ++k) sum += m[k / 4][i] * m[k % 4][j] * integral[k / 4 + k % 4];
+          products[(first + i) * 4 + i - j] += sum * half;
+        }
+      }
+      for (std::size_t k = 0; k < 4; ++k) {  // differentiate by the parameter
+        for (std::size_t j = 0; j < 4; ++j) m[k][j] = k < 3 ? (static_cast<double>(k) + 1.0) * m[k + 1][j] / half : 0.0;
+      }
+    }
+  }
+};
+
+/// Fits of a set of samples with any numbers of control points.
+class Fitter {
+public:
+  explicit Fitter(const std::vector<HeightSamples>& lines)
+      : moments_(accumulateHeights(lines, cellsU(lines), cellsV(lines))) {}
+
+  double samples() const { return moments_.samples; }
+
+  SurfaceFit fit(int count_u, int count_v) {
+    const int cells_u = static_cast<int>(moments_.grid.cells_u);
+    const int cells_v = static_cast<int>(moments_.grid.cells_v);
+    const std::vector<int> ends_u = spanEnds(count_u - degree, cells_u);
+    const std::vector<int> ends_v = spanEnds(count_v - degree, cells_v);
+    auto& merged = merged_u_[count_u];
+    if (merged.cells.empty()) merged = mergeU(moments_.grid, ends_u);
+    SurfaceFit result;
+    result.count_u = count_u;
+    result.count_v = count_v;
+    result.samples = static_cast<std::size_t>(moments_.samples);
+    result.surface.knots_u = cubicKnots(ends_u, cells_u, moments_.first_u, moments_.last_u);
+    result.surface.knots_v = cubicKnots(ends_v, cells_v, moments_.first_v, moments_.last_v);
+    solve(mergeV(merged, ends_v), ends_u, ends_v, result);
+    return result;
+  }
+
+  int largestU() const { return static_cast<int>(moments_.grid.cells_u / 2) + degree; }
+  int largestV() const { return static_cast<int>(moments_.grid.cells_v / 2) + degree; }
+
+private:
+  static std::size_t cells(std::size_t wanted) {
+    return powerOfTwoAtMost(std::min(max_cells, std::max(min_cells, wanted)));
+  }
+  static std::size_t cellsU(const std::vector<HeightSamples>& lines) {
+    std::size_t longest = 0;
+    for (const HeightSamples& line : lines) longest = std::max(longest, line.count);
+    return cells(longest);
+  }
+  static std::size_t cellsV(const std::vector<HeightSamples>& lines) { return cells(2 * lines.size()); }
+
+  void solve(const MomentGrid& patches, const std::vector<int>& ends_u, const std::vector<int>& ends_v,
+             SurfaceFit& result) const {
+    const auto count_u = static_cast<std::size_t>(result.count_u);
+    const auto count_v = static_cast<std::size_t>(result.count_v);
+    // The shorter direction runs fastest: the band is three rows of it wide.
+    const std::size_t stride_u = count_v <= count_u ? count_v : 1;
+    const std::size_t stride_v = count_v <= count_u ? 1 : count_u;
+    BandedMatrix A(count_u * count_v, 3 * (stride_u + stride_v));
+    std::vector<double> rhs(A.size(), 0.0);
+    std::vector<char> supported(A.size(), 0);
+    for (std::size_t i = 0; i < patches.cells_u; ++i) {
+      const CubicSpanMatrix basis_u = spanMatrix(ends_u, static_cast<int>(i));
+      for (std::size_t j = 0; j < patches.cells_v; ++j) {
+        if (patches.at(i, j).count() == 0.0) continue;
+        const std::size_t first = i * stride_u + j * stride_v;
+        addPatch(patches.at(i, j), basis_u, spanMatrix(ends_v, static_cast<int>(j)), first, stride_u, stride_v, A, rhs);
+        for (std::size_t k = 0; k < 16; ++k) supported[first + (k / 4) * stride_u + (k % 4) * stride_v] = 1;
+      }
+    }
+    result.parameters = static_cast<double>(std::count(supported.begin(), supported.end(), 1));
+    const BandedMatrix data = A;
+    addThinPlate(result.surface, stride_u, stride_v, A);
+    finish(data, std::move(A), rhs, stride_u, stride_v, result);
+  }
+
+  /// Adds the matrix of lambda times the integral of w_uu^2 + 2 w_uv^2 + w_vv^2.
+  void addThinPlate(const Surface& surface, std::size_t stride_u, std::size_t stride_v, BandedMatrix& A) const {
+    const DerivativeProducts u(surface.knots_u);
+    const DerivativeProducts v(surface.knots_v);
+    const double area = (moments_.last_u - moments_.first_u) * (moments_.last_v - moments_.first_v);
+    const double patch = area / static_cast<double>((surface.countU() - degree) * (surface.countV() - degree));
+    const double lambda = thin_plate * moments_.samples / area * patch * patch;
+    for (std::size_t row = 0; row < A.size(); ++row) {
+      const std::size_t i = stride_u > stride_v ? row / stride_u : row % stride_v;
+      const std::size_t j = stride_u > stride_v ? row % stride_u : row / stride_v;
+      for (std::size_t k = i - std::min<std::size_t>(i, 3); k <= std::min(i + 3, surface.countU() - 1); ++k) {
+        for (std::size_t l = j - std::min<std::size_t>(j, 3); l <= std::min(j + 3, surface.countV() - 1); ++l) {
+          const std::size_t column = k * stride_u + l * stride_v;
+          if (column > row) continue;
+          A.at(row, column) += lambda * (u.at(2, i, k) * v.at(0, j, l) + 2.0 * u.at(1, i, k) * v.at(1, j, l) +
+                                         u.at(0, i, k) * v.at(2, j, l));
+        }
+      }
+    }
+  }
+
+  /// c^T A c of a symmetric matrix of which the lower triangle is stored.
+  static double quadraticForm(const BandedMatrix& A, const std::vector<double>& c) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < A.size(); ++i) {
+      double below = 0.0;
+      for (std::size_t j = i - std::min(i, A.bandwidth()); j < i; ++j) below += A.at(i, j) * c[j];
+      sum += c[i] * (2.0 * below + A.at(i, i) * c[i]);
+    }
+    return sum;
+  }
+
+  void finish(const BandedMatrix& data, BandedMatrix A, const std::vector<double>& rhs, std::size_t stride_u,
+              std::size_t stride_v, SurfaceFit& result) const {
+    const BandedCholesky cholesky(std::move(A));
+    if (!cholesky.positiveDefinite()) {
+      result.rms = result.sigma = std::numeric_limits<double>::infinity();
+      return;
+    }
+    std::vector<double> c = rhs;
+    cholesky.solve(c.data(), 1);
+    double cross = 0.0;
+    for (std::size_t i = 0; i < c.size(); ++i) cross += c[i] * rhs[i];
+    // Rounding of the difference of two sums of squares; below this the residual says nothing.
+    const double floor = 64.0 * std::numeric_limits<double>::epsilon() * moments_.squares;
+    const double rss = std::max(floor, moments_.squares - 2.0 * cross + quadraticForm(data, c));
+    result.rms = std::sqrt(rss / moments_.samples);
+    result.sigma = std::sqrt(rss / std::max(1.0, moments_.samples - result.parameters));
+    const std::vector<double> greville_u = grevilleAbscissae(result.surface.knots_u, degree);
+    const std::vector<double> greville_v = grevilleAbscissae(result.surface.knots_v, degree);
+    for (std::size_t i = 0; i < greville_u.size(); ++i) {
+      for (std::size_t j = 0; j < greville_v.size(); ++j) {
+        const double w = c[i * stride_u + j * stride_v] + moments_.reference;
+        result.surface.control_points.emplace_back(greville_u[i], greville_v[j], w);
+      }
+    }
+  }
+
+  HeightMoments moments_;
+  std::map<int, MomentGrid> merged_u_;
+};
+
+/// Climbs down the criterion over a ladder of counts in both directions.
+class Search {
+public:
+  Search(Fitter& fitter, double noise, int limit_u, int limit_v)
+      : fitter_(fitter), noise_(noise), counts_u_(ladder(limit_u)), counts_v_(ladder(limit_v)) {}
+
+  SurfaceFit best() {
+    Place place = {start(counts_u_), start(counts_v_)};
+    // Two steps ahead, so that a small bump of the criterion does not end the search.
+    const Place moves[] = {{1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}, {1, -1}, {-1, 1}, {2, 0}, {0, 2}};
+    for (bool improved = true; improved;) {
+      improved = false;
+      const Place from = place;
+      for (const Place& move : moves) {
+        const Place to = {from.first + move.first, from.second + move.second};
+        if (score(to) < score(place)) {
+          place = to;
+          improved = true;
+        }
+      }
+    }
+    return fits_.at(place);
+  }
+
+private:
+  using Place = std::pair<int, int>;
+
+  static std::vector<int> ladder(int limit) {
+    std::vector<int> counts;
+    for (int p = degree + 1; p <= limit; p = std::max(p + 1, p * 5 / 4)) counts.push_back(p);
+    return counts;
+  }
+  static int start(const std::vector<int>& counts) { return std::min(4, static_cast<int>(counts.size()) - 1); }
+
+  double score(const Place& place) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (place.first < 0 || place.first >= static_cast<int>(counts_u_.size())) return infinity;
+    if (place.second < 0 || place.second >= static_cast<int>(counts_v_.size())) return infinity;
+    auto known = fits_.find(place);
+    if (known == fits_.end()) {
+      const int count_u = counts_u_[static_cast<std::size_t>(place.first)];
+      const int count_v = counts_v_[static_cast<std::size_t>(place.second)];
+      known = fits_.emplace(place, fitter_.fit(count_u, count_v)).first;
+    }
+    const SurfaceFit& fit = known->second;
+    const double n = static_cast<double>(fit.samples);
+    if (2.0 * fit.parameters > n && fit.count_u + fit.count_v > 2 * (degree + 1)) return infinity;
+    return criterion(n, fit.rms * fit.rms * n, std::min(fit.parameters, 0.5 * n), noise_);
+  }
+
+  Fitter& fitter_;
+  double noise_;
+  std::vector<int> counts_u_;
+  std::vector<int> counts_v_;
+  std::map<Place, SurfaceFit> fits_;
+};
+
+}  // namespace
+
+SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options) {
+  scan_to_path::validate(options, "surface fit");
+  Fitter fitter(lines);
+  const int rows = static_cast<int>(std::min<std::size_t>(lines.size(), 10000));
+  const int limit_v = std::max(degree + 1, 2 * rows / 3);
+  Search search(fitter, options.noise, std::min(options.max_control_points, fitter.largestU()),
+                std::min({options.max_control_points, fitter.largestV(), limit_v}));
+  return search.best();
+}
+
+SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, int count_u, int count_v) {
+  for (const int count : {count_u, count_v}) {
+    if (count <= degree || count > max_count) {
+      throw InputError("surface fit", "number of control points", std::to_string(count),
+                       "in [" + std::to_string(degree + 1) + ", " + std::to_string(max_count) + "]");
+    }
+  }
+  return Fitter(lines).fit(count_u, count_v);
+}
+
+}  // namespace scan_to_path::nurbs
