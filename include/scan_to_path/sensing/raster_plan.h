@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct RasterOptions {
   double overscan = 0.005;
   double height = 0.080;
   double row_angle = 0.0;
-  double beam_turn = 0.0;
+  double beam_turn = M_PI;
   RasterOrder order = RasterOrder::zig_zag;
 
   template <class Self, class Visitor>
