@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/scan/fit_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scan_to_path/scan/outline.h"
+
+namespace scan_to_path::scan {
+namespace {
+
+/// Noise along the beam, every line by its number of samples.
+double pooledSigma(const std::vector<FittedLine>& lines) {
+  double sum = 0.0;
+  double samples = 0.0;
+  for (const FittedLine& line : lines) {
+    sum += line.sigma * line.sigma * static_cast<double>(line.samples);
+    samples += static_cast<double>(line.samples);
+  }
+  return samples > 0.0 ? std::sqrt(sum / samples) : 0.0;
+}
+
+}  // namespace
+
+SampleRows cleanRows(const ScanCloud& cloud, const Vector3& mean_beam, const ScanOptions& options, int threads,
+                     const Progress& progress) {
+  progress.update("rows", 0.0);
+  SampleRows rows = findRows(cloud, mean_beam, options.rows);
+  progress.update("filter", 0.4);
+  rows = filterRows(std::move(rows), options.filter, threads);
+  progress.update("background", 0.8);
+  return removeBackground(std::move(rows), options.background);
+}
+
+FittedScan fitRows(const SampleRows& rows, const FitOptions& options, int threads, const Progress& progress) {
+  progress.update("lines", 0.0);
+  FittedLines fitted = fitLines(rows, options.lines, threads);
+  FittedScan scan;
+  scan.T_cloud_scan = rows.T_cloud_scan;
+  scan.samples_in = rows.samples_in;
+  scan.dropped = rows.dropped;
+  scan.pitch = rows.pitch;
+  scan.lines = std::move(fitted.lines);
+  for (const Dropped& dropped : fitted.dropped) addDropped(scan.dropped, dropped.reason, dropped.count);
+  for (const FittedLine& line : scan.lines) scan.samples_used += line.samples;
+  scan.line_sigma = pooledSigma(scan.lines);
+  progress.update("outline", 0.6);
+  scan.outline = traceOutline(rows);
+  return scan;
+}
+
+FittedScan fitScan(const ScanCloud& cloud, const Vector3& mean_beam, const ScanOptions& scan_options,
+                   const FitOptions& fit_options, int threads, const Progress& progress) {
+  return fitRows(cleanRows(cloud, mean_beam, scan_options, threads, progress), fit_options, threads, progress);
+}
+
+}  // namespace scan_to_path::scan
