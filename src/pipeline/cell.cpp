@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
 
 namespace scan_to_path::pipeline {
 namespace {
@@ -27,6 +28,13 @@ void checkFrameNames(const robot::Robot& robot) {
   }
 }
 
+/// A package is known by its directory's name or, as a checkout may have any name, by its package.xml.
+bool isPackage(const fs::path& directory, const std::string& name) {
+  if (directory.filename() == name) return true;
+  const fs::path manifest = directory / "package.xml";
+  return fs::exists(manifest) && readFile(manifest).find("<name>" + name + "</name>") != std::string::npos;
+}
+
 }  // namespace
 
 fs::path resolveFile(const std::string& address, const std::vector<fs::path>& package_path) {
@@ -37,7 +45,7 @@ fs::path resolveFile(const std::string& address, const std::vector<fs::path>& pa
   const std::string file = slash == std::string::npos ? "" : address.substr(slash + 1);
   for (const auto& directory : package_path) {
     for (const auto& candidate : {directory / package, directory}) {
-      if (candidate.filename() == package && fs::exists(candidate / file)) return candidate / file;
+      if (isPackage(candidate, package) && fs::exists(candidate / file)) return candidate / file;
     }
   }
   throw InputError("cannot find " + address + ": no package '" + package + "' with this file on the package path");

@@ -49,6 +49,10 @@ TEST(Cell, PackageAddressesAreLookedUp) {
   EXPECT_EQ(resolveFile("package://some_robot/urdf/arm.urdf", {"/nowhere", parent}), parent / "some_robot/urdf/arm.urdf");
   EXPECT_EQ(resolveFile("package://some_robot/urdf/arm.urdf", {parent / "some_robot"}),
             parent / "some_robot/urdf/arm.urdf");
+  std::filesystem::create_directories(parent / "checkout");
+  std::ofstream(parent / "checkout/package.xml") << "<package><name>named_robot</name></package>";
+  std::ofstream(parent / "checkout/arm.urdf") << "x";
+  EXPECT_EQ(resolveFile("package://named_robot/arm.urdf", {parent / "checkout"}), parent / "checkout/arm.urdf");
   EXPECT_EQ(resolveFile("arm.urdf", {}), "arm.urdf");
   EXPECT_THROW(resolveFile("package://other/urdf/arm.urdf", {parent}), InputError);
 }

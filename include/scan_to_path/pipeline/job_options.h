@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scan_to_path/motion/plan_motion.h"
+#include "scan_to_path/pipeline/cell.h"
+#include "scan_to_path/process/cutting_options.h"
+#include "scan_to_path/program/options.h"
+#include "scan_to_path/scan/fit_scan.h"
+#include "scan_to_path/sensing/clock_offset.h"
+#include "scan_to_path/sensing/emulate_scan.h"
+#include "scan_to_path/sensing/place_samples.h"
+
+namespace scan_to_path::pipeline {
+
+/// From samples or points to clean rows.
+struct ScanSection {
+  Vector3 beam = Vector3(0.0, 0.0, -1.0);
+  sensing::PlacementOptions placement;
+  bool correct_clock_offset = false;
+  sensing::ClockOffsetOptions clock_offset;
+  scan::ScanOptions cloud;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.beam, Field{"beam", "", "viewing direction of a cloud that does not bring one, in its own frame", -1.0, 1.0});
+    visit(self.placement, Field{"placement"});
+    visit(self.correct_clock_offset,
+          Field{"correct_clock_offset", "", "place samples with the estimated offset of the clocks, not only report it"});
+    visit(self.clock_offset, Field{"clock_offset"});
+    std::decay_t<decltype(self.cloud)>::fields(self.cloud, visit);
+  }
+};
+
+/// When a job that went through is still no success.
+struct ReportOptions {
+  double max_dropped_share = 0.05;
+  double max_line_residual = 1e-4;
+  double max_surface_residual = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.max_dropped_share,
+          Field{"max_dropped_share", "", "share of the part's samples that may be left out of the fit", 0.0, 1.0});
+    visit(self.max_line_residual,
+          Field{"max_line_residual", "m", "RMS of samples off the fitted lines; 0: no limit", 0.0, 1.0});
+    visit(self.max_surface_residual,
+          Field{"max_surface_residual", "m", "RMS of samples off the fitted surface; 0: no limit", 0.0, 1.0});
+  }
+};
+
+/// Everything a configuration file may say.
+struct JobOptions {
+  CellOptions cell;
+  ScanSection scan;
+  scan::FitOptions fit;
+  process::CuttingOptions path;
+  motion::MotionOptions motion;
+  program::ProgramOptions program;
+  ReportOptions report;
+  sensing::EmulationOptions emulate;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.cell, Field{"cell"});
+    visit(self.scan, Field{"scan"});
+    visit(self.fit, Field{"fit"});
+    visit(self.path, Field{"path"});
+    visit(self.motion, Field{"motion"});
+    visit(self.program, Field{"program"});
+    visit(self.report, Field{"report"});
+    visit(self.emulate, Field{"emulate"});
+  }
+};
+
+}  // namespace scan_to_path::pipeline
