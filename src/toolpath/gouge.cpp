@@ -59,7 +59,7 @@ void GougeCheck::sampleHeights() {
       for (std::size_t i = begin; i < count_x_; ++i) {
         const double x = origin_.x() + static_cast<double>(i) * spacing_;
         if (x > interval.end) break;
-        heights_[j * count_x_ + i] = surface_.jet(x, y).z;
+        heights_[j * count_x_ + i] = surface_.height(x, y);
       }
     }
   }
@@ -137,7 +137,7 @@ GougeCheck::Nearest GougeCheck::refined(const Vector3& centre, const Nearest& st
     if (step.norm() > spacing_) step *= spacing_ / step.norm();
     xy += step;
     if ((xy - start.point.head<2>()).norm() > 2.0 * spacing_) break;
-    const Vector3 point(xy.x(), xy.y(), surface_.jet(xy.x(), xy.y()).z);
+    const Vector3 point(xy.x(), xy.y(), surface_.height(xy.x(), xy.y()));
     const double distance = (point - centre).norm();
     if (distance < nearest.distance) nearest = {distance, point};
     if (step.norm() < 1e-9) break;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scan_to_path/scan/fitted_scan.h"
 #include "scan_to_path/toolpath/scan_surface.h"
 #include "scan_to_path/toolpath/tool_path.h"
 #include "scan_to_path/toolpath/verdict.h"

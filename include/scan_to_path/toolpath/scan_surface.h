@@ -3,25 +3,27 @@
 #pragma once
 
 #include "scan_to_path/geometry/height_field.h"
-#include "scan_to_path/scan/fitted_scan.h"
+#include "scan_to_path/nurbs/height_surface.h"
 
 namespace scan_to_path::toolpath {
 
 using geometry::HeightJet;
 using geometry::Vector3;
 
-/// The height surface of a fitted scan, in the scan frame: z = f(x, y) with outward normal on the sensor's side.
-/// Keeps a reference: the surface must outlive it.
+/// The height surface of a fitted scan, in the scan frame: z = f(x, y) with its outward normal on the sensor's side.
 class ScanSurface {
 public:
-  /// Throws InputError unless the surface is a valid NURBS surface with weights 1 whose x is u and whose y is v.
-  explicit ScanSurface(const nurbs::Surface& surface);
+  /// Throws InputError unless the surface is a bicubic height over the scan plane, x = u and y = v.
+  explicit ScanSurface(const nurbs::Surface& surface) : surface_(surface) {}
 
-  /// Height and derivatives at (x, y) [m]. Outside the domain the border span's polynomial goes on.
+  /// Height and derivatives at (x, y) [m]. Outside the domain the border's polynomial goes on.
   HeightJet jet(double x, double y) const;
 
+  /// The height alone [m].
+  double height(double x, double y) const { return surface_.height(x, y); }
+
 private:
-  const nurbs::Surface& surface_;
+  nurbs::HeightSurface surface_;
 };
 
 /// Unit normal of the graph, z component positive.

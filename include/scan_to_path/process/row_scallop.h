@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "scan_to_path/process/row.h"
+#include "scan_to_path/toolpath/scan_surface.h"
+
+namespace scan_to_path::process {
+
+/// Height over the surface of the cusp that a ball leaves between two neighbouring rows, at its highest: the cusp is r
+/// from both rows' lines of ball centres (straight between waypoints), found at `a`'s waypoints and between them.
+/// Nothing where the rows do not run side by side; infinite where the balls do not meet. O(points).
+std::optional<double> widestScallop(const Row& a, const Row& b, const toolpath::ScanSurface& surface,
+                                    double ball_radius);
+
+/// The same for all pieces of two neighbouring rows.
+std::optional<double> widestScallop(const std::vector<Row>& a, const std::vector<Row>& b,
+                                    const toolpath::ScanSurface& surface, double ball_radius);
+
+}  // namespace scan_to_path::process

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/process/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/process/scan_line_rows.h"
+#include "scan_to_path/process/surface_rows.h"
+#include "scan_to_path/toolpath/ball_tool.h"
+#include "scan_to_path/toolpath/contact_frame.h"
+#include "scan_to_path/toolpath/gouge.h"
+#include "scan_to_path/toolpath/scallop.h"
+
+namespace scan_to_path::process {
+namespace {
+
+using toolpath::Segment;
+using toolpath::ToolPath;
+using toolpath::Waypoint;
+
+int passCount(const CuttingOptions& options) {
+  // The small part keeps a stock of exactly n cuts from making n + 1 passes.
+  return std::max(1, static_cast<int>(std::ceil(options.stock / options.depth_of_cut - 1e-9)));
+}
+
+/// Stock that pass number `pass` leaves on the surface [m]: constant steps, none after the last.
+double allowanceOf(const CuttingOptions& options, int pass) {
+  const int passes = passCount(options);
+  return options.stock * static_cast<double>(passes - 1 - pass) / static_cast<double>(passes);
+}
+
+std::string rowName(const CuttingOptions& options, int pass, const Row& row) {
+  std::string name = passCount(options) > 1 ? "pass_" + std::to_string(pass) + "_" : std::string();
+  name += "row_" + std::to_string(row.row);
+  if (row.pieces > 1) name += "_" + std::to_string(row.piece);
+  return name;
+}
+
+Segment rowSegment(const Row& row, const scan::Frame& T_cloud_scan, double allowance, bool forward, double feed) {
+  Segment segment;
+  for (const RowPoint& p : row.points) {
+    Waypoint waypoint;
+    const Vector3 feed_direction = forward ? p.tangent : Vector3(-p.tangent);
+    waypoint.pose = T_cloud_scan * toolpath::contactFrame(p.point + allowance * p.normal, p.normal, feed_direction);
+    waypoint.feed = feed;
+    waypoint.process_on = true;
+    segment.waypoints.push_back(waypoint);
+  }
+  if (!forward) std::reverse(segment.waypoints.begin(), segment.waypoints.end());
+  segment.waypoints.front().process_on = false;  // the move to it is not a cut yet
+  return segment;
+}
+
+/// Rows in the order in which they are driven: pieces of a row in its own direction.
+std::vector<Row> driven(const std::vector<Row>& rows, RowOrder order) {
+  std::vector<Row> sorted = rows;
+  if (order == RowOrder::one_way) return sorted;
+  for (auto begin = sorted.begin(); begin != sorted.end();) {
+    const auto end = std::find_if(begin, sorted.end(), [&](const Row& row) { return row.row != begin->row; });
+    if (begin->row % 2 != 0) std::reverse(begin, end);
+    begin = end;
+  }
+  return sorted;
+}
+
+void addRows(ToolPath& path, std::vector<double>& allowances, const RowPlan& plan, const scan::Frame& T_cloud_scan,
+             const CuttingOptions& options) {
+  const auto rows = driven(plan.rows, options.row_order);
+  for (int pass = 0; pass < passCount(options); ++pass) {
+    const double allowance = allowanceOf(options, pass);
+    for (const Row& row : rows) {
+      const bool forward = options.row_order == RowOrder::one_way || row.row % 2 == 0;
+      path.segments.push_back(rowSegment(row, T_cloud_scan, allowance, forward, options.feed));
+      path.segments.back().name = rowName(options, pass, row);
+      allowances.push_back(allowance);
+    }
+  }
+}
+
+/// Links have no stock to keep off; every row keeps its own.
+std::vector<double> allowancesWithLinks(const ToolPath& path, const std::vector<double>& of_rows) {
+  std::vector<double> allowances;
+  auto next = of_rows.begin();
+  for (const Segment& segment : path.segments) allowances.push_back(toolpath::isRow(segment) ? *next++ : 0.0);
+  return allowances;
+}
+
+struct Travel {
+  double cutting = 0.0;  ///< [m]
+  double length = 0.0;   ///< [m]
+  double time = 0.0;     ///< at the feeds, without ramps [s]
+};
+
+Travel travelOf(const ToolPath& path) {
+  Travel travel;
+  const Waypoint* before = nullptr;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      if (before != nullptr) {
+        const double length = (waypoint.pose.translation() - before->pose.translation()).norm();
+        travel.length += length;
+        travel.time += length / waypoint.feed;
+        if (waypoint.process_on) travel.cutting += length;
+      }
+      before = &waypoint;
+    }
+  }
+  return travel;
+}
+
+void addDistances(std::vector<Figure>& figures, std::vector<double> distances) {
+  if (distances.empty()) return;
+  std::sort(distances.begin(), distances.end());
+  figures.push_back({"row_distance_min", distances.front(), "m"});
+  figures.push_back({"row_distance_median", distances[distances.size() / 2], "m"});
+  figures.push_back({"row_distance_max", distances.back(), "m"});
+}
+
+std::vector<Figure> figuresOf(const PlannedPath& planned, const RowPlan& plan) {
+  const Travel travel = travelOf(planned.path);
+  std::vector<Figure> figures = {{"rows", static_cast<double>(plan.distances.size() + 1), ""}};
+  addDistances(figures, plan.distances);
+  figures.push_back({"waypoints", static_cast<double>(toolpath::waypointCount(planned.path)), ""});
+  figures.push_back({"cutting_length", travel.cutting, "m"});
+  figures.push_back({"path_length", travel.length, "m"});
+  figures.push_back({"time", travel.time, "s"});
+  figures.push_back({"scallop", plan.widest_scallop, "m"});
+  figures.push_back({"gouges", static_cast<double>(planned.findings.size()), ""});
+  return figures;
+}
+
+class CuttingPlanner : public Planner {
+public:
+  explicit CuttingPlanner(const CuttingOptions& options) : options_(options) { validateCutting(options_, "path"); }
+
+  PlannedPath plan(const PlannerInput& input, const Progress& progress) const override {
+    if (input.scan == nullptr) throw InputError("cutting: needs a fitted scan, got none");
+    const scan::FittedScan& scan = *input.scan;
+    const RowPlan rows = options_.row_source == RowSource::surface ? surfaceRows(scan, options_, progress)
+                                                                   : scanLineRows(scan, options_);
+    PlannedPath planned;
+    planned.path.process = "cutting";
+    planned.path.frame = input.frame;
+    planned.path.T_contact_tcp = toolpath::ballToolFrame({options_.ball_radius, options_.lead, options_.tilt});
+    std::vector<double> allowances;
+    addRows(planned.path, allowances, rows, scan.T_cloud_scan, options_);
+    planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
+    const Vector3 up = scan.T_cloud_scan.linear().col(2);
+    planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, options_.links);
+    progress.update("path", 1.0);
+    const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance);
+    planned.findings = gouges.check(planned.path, allowancesWithLinks(planned.path, allowances));
+    planned.figures = figuresOf(planned, rows);
+    return planned;
+  }
+
+private:
+  CuttingOptions options_;
+};
+
+}  // namespace
+
+void validateCutting(const CuttingOptions& options, const std::string& path) {
+  validate(options, path);
+  if (options.scallop_height >= options.ball_radius) {
+    std::ostringstream text;
+    text << path << ".scallop_height is " << options.scallop_height << " m, must be below the ball radius "
+         << options.ball_radius << " m";
+    throw InputError(text.str());
+  }
+}
+
+std::unique_ptr<Planner> makeCuttingPlanner(const CuttingOptions& options) {
+  return std::make_unique<CuttingPlanner>(options);
+}
+
+}  // namespace scan_to_path::process
