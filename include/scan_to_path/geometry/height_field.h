@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scan_to_path/geometry/analytic_surface.h"
+#include "scan_to_path/geometry/height_jet.h"
 
 namespace scan_to_path::geometry {
 
@@ -14,16 +15,6 @@ struct Rectangle {
   double y_max = 0.0;
 
   bool contains(double x, double y) const { return x >= x_min && x <= x_max && y >= y_min && y <= y_max; }
-};
-
-/// Height and its partial derivatives at one place.
-struct HeightJet {
-  double z = 0.0;    ///< [m]
-  double zx = 0.0;
-  double zy = 0.0;
-  double zxx = 0.0;  ///< [1/m]
-  double zxy = 0.0;  ///< [1/m]
-  double zyy = 0.0;  ///< [1/m]
 };
 
 /// The open surface z = f(x, y) over a rectangle, outside above it. Rays beside the rectangle pass.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scan_to_path/geometry/height_field.h"
+#include "scan_to_path/geometry/height_jet.h"
 #include "scan_to_path/nurbs/height_surface.h"
 
 namespace scan_to_path::toolpath {
