@@ -21,6 +21,14 @@ double pooledSigma(const std::vector<FittedLine>& lines) {
   return samples > 0.0 ? std::sqrt(sum / samples) : 0.0;
 }
 
+nurbs::SurfaceFit fitSurface(const SampleRows& rows, const nurbs::SurfaceFitOptions& options) {
+  std::vector<nurbs::HeightSamples> lines;
+  for (const RowPiece& piece : rows.pieces) {
+    lines.push_back({piece.x.data(), piece.y.data(), piece.z.data(), piece.size()});
+  }
+  return nurbs::fitHeightSurface(lines, options);
+}
+
 }  // namespace
 
 SampleRows cleanRows(const ScanCloud& cloud, const Vector3& mean_beam, const ScanOptions& options, int threads,
@@ -47,6 +55,12 @@ FittedScan fitRows(const SampleRows& rows, const FitOptions& options, int thread
   scan.line_sigma = pooledSigma(scan.lines);
   progress.update("outline", 0.6);
   scan.outline = traceOutline(rows);
+  if (options.with_surface) {
+    progress.update("surface", 0.7);
+    nurbs::SurfaceFit surface = fitSurface(rows, options.surface);
+    scan.surface = std::move(surface.surface);
+    scan.surface_rms = surface.rms;
+  }
   return scan;
 }
 

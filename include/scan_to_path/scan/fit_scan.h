@@ -4,6 +4,7 @@
 
 #include "scan_to_path/common/options.h"
 #include "scan_to_path/common/progress.h"
+#include "scan_to_path/nurbs/surface_fit.h"
 #include "scan_to_path/scan/background.h"
 #include "scan_to_path/scan/filter_rows.h"
 #include "scan_to_path/scan/find_rows.h"
@@ -31,13 +32,15 @@ struct ScanOptions {
 /// From clean rows to curves, surface and normals.
 struct FitOptions {
   LineFitOptions lines;
-  bool surface = true;
+  bool with_surface = true;
+  nurbs::SurfaceFitOptions surface;
   NormalMode normals = NormalMode::weighted;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.lines, Field{"lines", "", "how rows become curves"});
-    visit(self.surface, Field{"surface", "", "fit a surface through all rows as well"});
+    visit(self.with_surface, Field{"with_surface", "", "fit a surface through all rows as well"});
+    visit(self.surface, Field{"surface", "", "how many control points the surface gets"});
     visit(self.normals, Field{"normals", "", "weighted: differences across the rows, second order; seed: its four triangles; surface: of the fitted surface"});
   }
 };
