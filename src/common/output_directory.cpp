@@ -78,7 +78,7 @@ void OutputDirectory::commit() {
   const fs::path older = withSuffix(final_, ".old");
   std::error_code error;
   fs::remove_all(older, error);
-  const bool had_older = fs::exists(final_);
+  const bool had_older = fs::exists(final_, error);
   if (had_older) {
     fs::rename(final_, older, error);
     if (error) fail("replace", final_, error.value());
@@ -94,6 +94,10 @@ void OutputDirectory::commit() {
 }
 
 void writeFileAtomically(const fs::path& path, std::string_view content) {
+  // A device or pipe, such as /dev/stdout, is written to: a rename would put a file in its place.
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  if (fs::is_other(status)) return writeFlushed(path, content);
   const fs::path part = withSuffix(path, ".part");
   try {
     writeFlushed(part, content);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -22,7 +23,13 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
     }
   };
   std::vector<std::thread> pool;
-  for (std::size_t worker = 1; worker < workers; ++worker) pool.emplace_back(run, worker);
+  for (std::size_t worker = 1; worker < workers; ++worker) {
+    try {
+      pool.emplace_back(run, worker);
+    } catch (const std::system_error&) {
+      run(worker);  // no more threads to be had
+    }
+  }
   run(0);
   for (auto& thread : pool) thread.join();
   for (const auto& failure : failures) {

@@ -33,7 +33,7 @@ private:
   bool committed_ = false;
 };
 
-/// Writes one file through `<path>.part` and a rename. Throws InputError.
+/// Writes one file through `<path>.part` and a rename; a device or pipe directly. Throws InputError.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace scan_to_path
