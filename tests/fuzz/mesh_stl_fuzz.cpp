@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_seeds.h"
+#include "read_any_mesh.h"
 #include "support/mesh_text.h"
 #include "support/meshes.h"
 
