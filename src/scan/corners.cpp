@@ -43,6 +43,7 @@ public:
 
   /// Change of direction at sample i between windows of the given length on both sides; 0 where they do not fit in.
   double bend(std::size_t i, double window) const {
+    if (piece_.x[i] - window < piece_.x.front() || piece_.x[i] + window > piece_.x.back()) return 0.0;
     const auto begin = lowerBound(piece_.x[i] - window);
     const auto end = lowerBound(piece_.x[i] + window);
     constexpr std::size_t least = 3;

@@ -29,8 +29,8 @@ public:
   Vector3 point(double u, std::size_t& hint) const;
   Jet jet(double u, std::size_t& hint) const;
 
-  /// The parameter where the line passes x; it runs towards +x. `u` holds a first guess.
-  double parameterAtX(double x, double u, std::size_t& hint) const;
+  /// The point where the line passes x; it runs towards +x. `u`: a first guess, then the point's parameter.
+  Vector3 pointAtX(double x, double& u, std::size_t& hint) const;
 
   const std::vector<double>& breaks() const { return breaks_; }
 
@@ -70,18 +70,19 @@ inline LineTable::Jet LineTable::jet(double u, std::size_t& hint) const {
           span.scale * span.scale * (2.0 * span.c[2] + 6.0 * s * span.c[3])};
 }
 
-inline double LineTable::parameterAtX(double x, double u, std::size_t& hint) const {
+inline Vector3 LineTable::pointAtX(double x, double& u, std::size_t& hint) const {
   constexpr double exact_enough = 1e-9;  // [m]: a nanometre along the line moves no normal
-  for (int step = 0; step < 20; ++step) {
+  constexpr int most_steps = 20;
+  for (int step = 0;; ++step) {
     const Span& span = find(u, hint);
     const double s = (u - span.centre) * span.scale;
-    const double off = span.c[0].x() + s * (span.c[1].x() + s * (span.c[2].x() + s * span.c[3].x())) - x;
-    if (off < exact_enough && off > -exact_enough) break;
+    const Vector3 point = span.c[0] + s * (span.c[1] + s * (span.c[2] + s * span.c[3]));
+    const double off = point.x() - x;
+    if ((off < exact_enough && off > -exact_enough) || step == most_steps) return point;
     const double slope = span.scale * (span.c[1].x() + s * (2.0 * span.c[2].x() + 3.0 * s * span.c[3].x()));
-    if (!(slope > 0.0)) break;
+    if (!(slope > 0.0)) return point;
     u -= off / slope;
   }
-  return u;
 }
 
 /// The tables of all lines and which of them make up each row.

@@ -97,13 +97,10 @@ Vector3 triangleNormal(const Vector3& p, const Vector3* before, const Vector3* a
   return sum;
 }
 
-OrientedPoint orientedPoint(const LineTable::Jet& jet, const Vector3& normal, double u, const Frame& T_cloud_scan) {
-  OrientedPoint point;
-  point.point = T_cloud_scan * jet.point;
-  point.normal = T_cloud_scan.linear() * normal.normalized();
-  point.tangent = T_cloud_scan.linear() * jet.first.normalized();
-  point.parameter = u;
-  return point;
+inline OrientedPoint orientedPoint(const LineTable::Jet& jet, const Vector3& normal, double u, const Frame& T_cloud_scan) {
+  const Eigen::Matrix3d R = T_cloud_scan.linear();
+  return {R * jet.point + T_cloud_scan.translation(), R * (normal * (1.0 / normal.norm())),
+          R * (jet.first * (1.0 / jet.first.norm())), u};
 }
 
 void orientWeighted(const ScanTables& tables, int row, double pitch, const LineTable& line, const Frame& T_cloud_scan,

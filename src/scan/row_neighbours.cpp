@@ -39,31 +39,21 @@ std::optional<std::size_t> RowNeighbours::lineAt(int step, double x) {
   return line;
 }
 
-void RowNeighbours::place(Cursor& c, double x) {
+void RowNeighbours::enterLine(Cursor& c) {
   const LineTable& table = tables_.lines[c.line];
-  if (!c.placed) {
-    c.u = table.begin();
-    c.x = table.xBegin();
-    c.hint = 0;
-    c.placed = true;
-  }
-  c.u = table.parameterAtX(x, c.u + (x - c.x), c.hint);
-  c.x = x;
-}
-
-Vector3 RowNeighbours::pointAt(int step, double x) {
-  Cursor& c = cursor(step);
-  place(c, x);
-  return tables_.lines[c.line].point(c.u, c.hint);
+  c.u = table.begin();
+  c.x = table.xBegin();
+  c.hint = 0;
+  c.placed = true;
 }
 
 Vector3 RowNeighbours::nearestTo(int step, const Vector3& p) {
-  Cursor& c = cursor(step);
-  place(c, p.x());
+  pointAt(step, p.x());
+  const Cursor& c = cursor(step);
   const LineTable& table = tables_.lines[c.line];
   std::size_t hint = c.hint;
   double u = c.u;
-  constexpr int newton_steps = 4;  // from the point at the same x, quadratic convergence
+  constexpr int newton_steps = 3;  // from the point at the same x; convergence is quadratic
   for (int k = 0; k < newton_steps; ++k) {
     const LineTable::Jet jet = table.jet(u, hint);
     const Vector3 off = jet.point - p;

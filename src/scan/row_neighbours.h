@@ -42,7 +42,7 @@ private:
     bool placed = false;
   };
   Cursor& cursor(int step) { return cursors_[static_cast<std::size_t>(step + reach)]; }
-  void place(Cursor& c, double x);
+  void enterLine(Cursor& c);
 
   const ScanTables& tables_;
   int row_;
@@ -50,5 +50,13 @@ private:
   double valid_until_ = 1e300;
   std::array<Cursor, 2 * reach + 1> cursors_;
 };
+
+inline Vector3 RowNeighbours::pointAt(int step, double x) {
+  Cursor& c = cursor(step);
+  if (!c.placed) enterLine(c);
+  c.u += x - c.x;  // exact where the parameter is x itself
+  c.x = x;
+  return tables_.lines[c.line].pointAtX(x, c.u, c.hint);
+}
 
 }  // namespace scan_to_path::scan
