@@ -83,7 +83,7 @@ struct LineMoments::Data {
     fillFinest(samples);
     while (levels.back().blocks.size() > 1) levels.push_back(merged(levels.back()));
     for (Level& level : levels) level.sumUp();
-    if (!std::isfinite(levels.back().rss)) SortedSamples::checkFinite(line);
+    if (!std::isfinite(sumOfCoordinates(levels.back().blocks[0].squares))) SortedSamples::checkFinite(line);
   }
 
   void fillFinest(const LineSamples& samples) {

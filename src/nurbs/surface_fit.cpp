@@ -23,7 +23,7 @@ constexpr std::size_t max_cells = 128;
 constexpr std::size_t min_cells = 64;
 constexpr int max_count = 67;
 // Weight of the thin-plate energy against the data at the scale of a span: see fitHeightSurface.
-constexpr double thin_plate = 1e-7;
+constexpr double thin_plate = 1e-10;
 
 /// Integrals of products of derivatives of cubic B-splines, orders 0, 1, 2: [order][i * 4 + d] of functions i, i - d.
 struct DerivativeProducts {

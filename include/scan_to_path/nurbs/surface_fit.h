@@ -44,8 +44,8 @@ struct SurfaceFit {
 /// control points along u and v chosen by generalised cross-validation (or Mallows' criterion with known noise).
 ///
 /// `lines` are the scan lines, roughly along u; their number limits the control points along v (two for every three
-/// lines). Cells without samples are bridged by a thin-plate energy so weak (1e-7 of the data term at the scale of a
-/// knot span) that where there are samples it moves the fit by less than a thousandth of the approximation error.
+/// lines). Cells without samples are bridged by the least thin-plate energy, weighted at the scale of a knot span by
+/// 1e-10 of the data: where there are samples even a patch's highest polynomials shrink by no more than 1e-5.
 /// Cost: one pass over the samples; after it everything works on sums per grid cell. RMS below about 1e-8 of the
 /// height range is rounding.
 /// Throws InputError when there are no samples, one is not finite, or they span no rectangle.
