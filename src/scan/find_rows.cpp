@@ -131,8 +131,9 @@ Anchors findAnchors(const Track& track, const Stretch& stretch, double window) {
 }
 
 /// Double-angle mean of the travel directions, which does not mind the sense of travel: its length is the share of
-/// them that agree. With a hint only directions within 30 degrees of it count (not the step from row to row).
-Vector2 meanDoubleAngle(const Track& track, const std::vector<Anchors>& all, const Vector2* hint) {
+/// them that agree. With a hint only directions nearer to it than acos(least_cosine) count.
+Vector2 meanDoubleAngle(const Track& track, const std::vector<Anchors>& all, const Vector2* hint = nullptr,
+                        double least_cosine = 0.0) {
   Vector2 sum = Vector2::Zero();
   double weight = 0.0;
   for (const Anchors& anchors : all) {
@@ -140,7 +141,7 @@ Vector2 meanDoubleAngle(const Track& track, const std::vector<Anchors>& all, con
       const Vector2 step = track.at(anchors[k]) - track.at(anchors[k - 1]);
       const double length = step.norm();
       if (length == 0.0) continue;
-      if (hint != nullptr && std::abs(step.dot(*hint)) < 0.866 * length) continue;
+      if (hint != nullptr && std::abs(step.dot(*hint)) < least_cosine * length) continue;
       sum += Vector2(step.x() * step.x() - step.y() * step.y(), 2.0 * step.x() * step.y()) / length;
       weight += length;
     }
@@ -154,14 +155,18 @@ Vector2 halfAngle(const Vector2& doubled) {
 }
 
 Vector2 rowDirection(const Track& track, const std::vector<Anchors>& all) {
-  const Vector2 doubled = meanDoubleAngle(track, all, nullptr);
+  const Vector2 doubled = meanDoubleAngle(track, all);
   constexpr double least_agreement = 0.2;
   if (!(doubled.norm() >= least_agreement)) {
     throw InputError("scan cloud", "share of samples travelling along one direction", fixed(doubled.norm(), 2),
                      "at least 0.20: no scan rows found; are the points in the order in which they were measured?");
   }
-  const Vector2 first = halfAngle(doubled);
-  return halfAngle(meanDoubleAngle(track, all, &first));
+  Vector2 axis = halfAngle(doubled);
+  for (const double least_cosine : {0.866, 0.9986}) {  // 30, 3 degrees: without the way from row to row
+    const Vector2 nearer = meanDoubleAngle(track, all, &axis, least_cosine);
+    if (nearer.norm() > 0.0) axis = halfAngle(nearer);
+  }
+  return axis;
 }
 
 void rotate(Track& track, const Vector2& axis) {
