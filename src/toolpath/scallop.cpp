@@ -41,7 +41,7 @@ double sinc(double x) { return std::abs(x) < 1e-5 ? 1.0 - x * x / 6.0 : std::sin
 double largestScallop(double ball_radius, double curvature) {
   checkBall(ball_radius, curvature);
   const double kr = curvature * ball_radius;
-  if (kr < -0.5) return ball_radius;
+  if (kr < -0.5) return -2.0 * (1.0 + kr) / curvature;  // the ball reaches over the hollow's centre
   return 2.0 * ball_radius / (std::sqrt(1.0 + 2.0 * kr) + 1.0);
 }
 

@@ -34,18 +34,22 @@ void appendPose(std::string& text, const Frame& pose, char separator) {
   }
 }
 
-void checkName(const std::string& what, std::string_view name, std::string_view forbidden) {
-  if (name.empty() || name != trimmed(name) || name.find_first_of(forbidden) != std::string_view::npos) {
-    throw InputError("tool path: " + what + " \"" + std::string(trimmed(name.substr(0, name.find_first_of("\r\n")))) +
-                     "\" must be a name without commas, line breaks or blanks around it");
-  }
+/// Names stand in a comma-separated file and must come back as they went.
+bool isName(std::string_view name) {
+  return !name.empty() && name == trimmed(name) && name.find_first_of(",\r\n") == std::string_view::npos;
+}
+
+void checkName(const char* what, const std::string& name) {
+  if (isName(name)) return;
+  throw InputError("tool path: " + std::string(what) + " \"" + name.substr(0, name.find_first_of("\r\n")) +
+                   "\" must be a name without commas, line breaks or blanks around it");
 }
 
 void checkWritable(const ToolPath& path) {
-  checkName("process", path.process, "\r\n");
-  checkName("frame", path.frame, "\r\n");
+  checkName("process", path.process);
+  checkName("frame", path.frame);
   for (const auto& segment : path.segments) {
-    checkName("segment", segment.name, ",\r\n");
+    checkName("segment", segment.name);
     if (segment.waypoints.empty()) throw InputError("tool path: segment " + segment.name + " has no waypoints");
     for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
       const auto& waypoint = segment.waypoints[i];
@@ -100,8 +104,8 @@ private:
       }
     }
     if (line != header) fail("must be the header " + std::string(header));
-    if (path_.process.empty()) fail("no comment \"# process …\" before the header");
-    if (path_.frame.empty()) fail("no comment \"# frame …\" before the header");
+    if (!isName(path_.process)) fail("no comment \"# process …\" before the header");
+    if (!isName(path_.frame)) fail("no comment \"# frame …\" before the header");
     if (!has_tcp) fail("no comment \"# T_contact_tcp …\" before the header");
   }
 
@@ -129,7 +133,7 @@ private:
   void readRow() {
     const auto cells = split(takeLine(), ',');
     if (cells.size() != 11) fail("has " + std::to_string(cells.size()) + " cells, must have 11");
-    if (cells[0].empty()) fail("the segment has no name");
+    if (!isName(cells[0])) fail("the segment has no name, or blanks around it");
     const double index = number(cells[1], "index");
     if (index == 0.0) path_.segments.push_back({std::string(cells[0]), {}});
     if (path_.segments.empty() || path_.segments.back().name != cells[0] ||

@@ -17,7 +17,9 @@ double rowDistance(double scallop_height, double ball_radius, double curvature);
 double scallopHeight(double row_distance, double ball_radius, double curvature);
 
 /// The highest scallop two rows of this ball can leave between them [m]: the cusp where the balls part,
-/// (sqrt(1 + 2 kappa r) - 1) / kappa, r on a plane; r where the surface is so hollow that they always meet.
+/// (sqrt(1 + 2 kappa r) - 1) / kappa, r on a plane; twice the gap between ball and hollow, 2 (1/|kappa| - r), where
+/// the ball is larger than half of the hollow's radius. rowDistance() takes heights up to that and below r.
+/// Throws InputError for r <= 0 and kappa <= -1/r.
 double largestScallop(double ball_radius, double curvature);
 
 }  // namespace scan_to_path::toolpath
