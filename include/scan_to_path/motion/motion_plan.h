@@ -12,6 +12,7 @@
 namespace scan_to_path::motion {
 
 using geometry::Frame;
+using geometry::Vector3;
 using robot::JointVector;
 using toolpath::Verdict;
 using toolpath::WaypointVerdict;
