@@ -3,8 +3,8 @@
 #include "planned_moves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
@@ -70,7 +70,8 @@ void checkFeed(const ProgramInput& input, double feed, const std::string& where)
 }
 
 double roundedDown(double radius) {
-  const auto above = std::upper_bound(zone_steps.begin(), zone_steps.end(), radius);
+  // A radius that is a step but for rounding is that step, on every machine.
+  const auto above = std::upper_bound(zone_steps.begin(), zone_steps.end(), radius * (1.0 + 1e-9));
   return above == zone_steps.begin() ? 0.0 : *(above - 1);
 }
 
@@ -80,9 +81,10 @@ void setZones(const ProgramInput& input, std::vector<PlannedMove>& moves) {
   for (std::size_t i = 1; i + 1 < moves.size(); ++i) {
     const auto& next = moves[i + 1];
     if (next.segment != moves[i].segment || next.process_on != moves[i].process_on || next.after_gap) continue;
+    const double tolerance = next.process_on ? input.options.zone_tolerance : input.options.air_tolerance;
     const double radius =
         blendRadius(moves[i - 1].T_workobject_tcp.translation(), moves[i].T_workobject_tcp.translation(),
-                    next.T_workobject_tcp.translation(), input.options.zone_tolerance);
+                    next.T_workobject_tcp.translation(), tolerance);
     moves[i].zone = roundedDown(radius);
   }
 }

@@ -56,10 +56,6 @@ std::string rapidOrientation(const Eigen::Matrix3d& R) {
   return list({rapidNumber(q.w(), 8), rapidNumber(q.x(), 8), rapidNumber(q.y(), 8), rapidNumber(q.z(), 8)});
 }
 
-std::string rapidPose(const Frame& T) {
-  return list({rapidPosition(T.translation()), rapidOrientation(T.linear())});
-}
-
 std::string rapidAxes(const JointVector& axes) {
   std::string text;
   for (int i = 0; i < axes.size(); ++i) text += (i > 0 ? "," : "[") + rapidNumber(degrees_per_radian * axes[i], 6);

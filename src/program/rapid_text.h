@@ -17,7 +17,6 @@ namespace scan_to_path::program {
 std::string rapidNumber(double value, int digits);
 std::string rapidPosition(const geometry::Vector3& position);
 std::string rapidOrientation(const Eigen::Matrix3d& R);
-std::string rapidPose(const Frame& T);
 std::string rapidAxes(const JointVector& axes);
 std::string rapidConfiguration(const AxisConfiguration& configuration);
 

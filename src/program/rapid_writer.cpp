@@ -57,10 +57,14 @@ void appendZones(std::string& module, const std::vector<PlannedMove>& moves, dou
   }
 }
 
+std::string poseOnTwoLines(const Frame& T) {
+  return "[" + rapidPosition(T.translation()) + ",\n    " + rapidOrientation(T.linear()) + "]";
+}
+
 void appendTool(std::string& module, const ProgramInput& input) {
   const auto& options = input.options;
   const auto& inertia = options.tool_inertia;
-  module += "  PERS tooldata " + options.tool_name + " := [TRUE,\n    " + rapidPose(input.T_tip_tcp) + ",\n    [" +
+  module += "  PERS tooldata " + options.tool_name + " := [TRUE,\n    " + poseOnTwoLines(input.T_tip_tcp) + ",\n    [" +
             rapidNumber(options.tool_mass, 3) + "," + rapidPosition(options.tool_centre_of_gravity) +
             ",[1,0,0,0]," + rapidNumber(inertia.x(), 6) + "," + rapidNumber(inertia.y(), 6) + "," +
             rapidNumber(inertia.z(), 6) + "]];\n";
@@ -68,7 +72,7 @@ void appendTool(std::string& module, const ProgramInput& input) {
 
 void appendWorkobject(std::string& module, const ProgramInput& input, const geometry::Vector3& shift) {
   module += "  PERS wobjdata " + input.options.workobject_name + " := [FALSE,TRUE,\"\",\n    " +
-            rapidPose(input.T_base_workobject) + ",\n    [" + rapidPosition(shift) + ",[1,0,0,0]]];\n";
+            poseOnTwoLines(input.T_base_workobject) + ",\n    [" + rapidPosition(shift) + ",[1,0,0,0]]];\n";
 }
 
 void appendData(std::string& module, const ProgramInput& input, const std::vector<PlannedMove>& moves,
@@ -78,7 +82,7 @@ void appendData(std::string& module, const ProgramInput& input, const std::vecto
   const JointVector axes = controllerAxes(input.robot, input.options.linkage, moves.front().q);
   module += "  CONST jointtarget start_axes := [\n    " + rapidAxes(axes) + ",\n    " + no_external_axes + "];\n";
   const Frame start = Eigen::Translation3d(-shift) * moves.front().T_workobject_tcp;
-  module += "  CONST pose start_pose := " + rapidPose(start) + ";\n";
+  module += "  CONST pose start_pose :=\n    " + poseOnTwoLines(start) + ";\n";
   speeds.appendData(module, input.options.orientation_speed);
   appendZones(module, moves, input.options.zone_orientation);
   module += std::string("  CONST bool dry_run := ") + (input.options.dry_offset > 0.0 ? "TRUE" : "FALSE") + ";\n";
@@ -87,15 +91,16 @@ void appendData(std::string& module, const ProgramInput& input, const std::vecto
 /// The controller's own kinematics of the start axes against the plan's: a wrong arm, axis 3 convention, tool or base
 /// frame shows here, before anything moves.
 void appendRobotCheck(std::string& module, const ProgramOptions& options) {
-  module += "\n  ! Stops before the first move when this arm's kinematics are not the planned ones.\n"
+  module += "\n  ! Stops before the first move when this arm is not the planned one.\n"
             "  PROC CheckRobot()\n"
             "    VAR robtarget here;\n"
             "    VAR num turn;\n"
             "    here := CalcRobT(start_axes," + options.tool_name + "\\WObj:=" + options.workobject_name + ");\n"
-            "    ! Cosine of half the angle between both orientations: 0.99999 is 0.5 degrees.\n"
+            "    ! Cosine of half the angle between both: 0.99999 is 0.5 degrees.\n"
             "    turn := here.rot.q1*start_pose.rot.q1+here.rot.q2*start_pose.rot.q2;\n"
             "    turn := turn+here.rot.q3*start_pose.rot.q3+here.rot.q4*start_pose.rot.q4;\n"
-            "    IF Distance(here.trans,start_pose.trans) > 0.5 OR Abs(turn) < 0.99999 THEN\n"
+            "    IF Distance(here.trans,start_pose.trans) > 0.5\n"
+            "      OR Abs(turn) < 0.99999 THEN\n"
             "      TPWrite \"ScanToPath: start axes do not give the start point.\";\n"
             "      TPWrite \"Wrong robot, axis 3 convention, tool or base frame.\";\n"
             "      EXIT;\n"

@@ -172,11 +172,13 @@ private:
     const geometry::Vector3 in = moves[m].T_base_tcp.translation() - moves[m - 1].T_base_tcp.translation();
     const geometry::Vector3 out = moves[m + 1].T_base_tcp.translation() - moves[m].T_base_tcp.translation();
     const double sine_half = std::sin(0.5 * geometry::angleBetween(in, out));
-    // The positions behind it are rounded to 0.05 um.
-    if (moves[m].zone * sine_half > input_.options.zone_tolerance + 1e-6 ||
-        moves[m].zone > 0.5 * std::min(in.norm(), out.norm()) + 1e-6) {
+    const double tolerance = at.waypoint->process_on ? input_.options.zone_tolerance : input_.options.air_tolerance;
+    // The positions are written to 1e-4 mm: 0.1 um on the way of two neighbours, and on the corner that they form.
+    const double rounding = 2e-7;
+    if (moves[m].zone * sine_half > tolerance + rounding ||
+        moves[m].zone > 0.5 * std::min(in.norm(), out.norm()) + rounding) {
       report(&at, "zone of " + fixed(1e3 * moves[m].zone, 3) + " mm leaves the path by more than " +
-                      fixed(1e6 * input_.options.zone_tolerance, 1) + " um or meets its neighbour", &moves[m]);
+                      fixed(1e6 * tolerance, 1) + " um or meets its neighbour", &moves[m]);
     }
   }
 

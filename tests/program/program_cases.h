@@ -3,21 +3,15 @@
 #pragma once
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "scan_to_path/common/random.h"
 #include "scan_to_path/program/program.h"
+#include "support/irb2400.h"
 
 namespace scan_to_path::test {
 
 constexpr double degree = 0.017453292519943295;
-
-inline const robot::Robot& irb2400() {
-  static const robot::Robot robot =
-      robot::readRobot(std::filesystem::path(SCAN_TO_PATH_SOURCE_DIR) / "urdf/irb2400.urdf", "base_link", "tool0");
-  return robot;
-}
 
 inline robot::JointVector joints(std::initializer_list<double> degrees) {
   robot::JointVector q(static_cast<int>(degrees.size()));

@@ -38,6 +38,7 @@ struct ProgramOptions {
   double dry_offset = 0.0;
   Vector3 dry_direction = Vector3::UnitZ();
   double zone_tolerance = 10e-6;
+  double air_tolerance = 0.5e-3;
   double zone_orientation = 0.0175;
   double start_speed = 0.1;
   double max_speed = 1.0;
@@ -63,7 +64,8 @@ struct ProgramOptions {
     visit(self.dry_offset, Field{"dry_offset", "m", "air run: shift of the whole path, process off; 0: real run", 0.0, 2.0});
     visit(self.dry_direction, Field{"dry_direction", "", "direction of dry_offset in the work object's frame"});
     visit(self.zone_tolerance,
-          Field{"zone_tolerance", "m", "how far blending may leave the lines between waypoints", 0.0, 0.01});
+          Field{"zone_tolerance", "m", "how far blending may leave the lines between waypoints, process on", 0.0, 0.01});
+    visit(self.air_tolerance, Field{"air_tolerance", "m", "the same between moves with the process off", 0.0, 0.1});
     visit(self.zone_orientation, Field{"zone_orientation", "rad", "largest turn inside a zone", 0.0, 1.0});
     visit(self.start_speed, Field{"start_speed", "m/s", "speed of the move to the first waypoint", 1e-3, 0.25});
     visit(self.max_speed, Field{"max_speed", "m/s", "a faster feed is refused", 1e-3, 7.0});
