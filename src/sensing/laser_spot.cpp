@@ -7,7 +7,7 @@
 namespace scan_to_path::sensing {
 namespace {
 
-constexpr int rings = 4;
+constexpr int parts = 64;
 // Departure of the rim's mean from the axis that a smooth surface does not reach [m]: curvature 1/(0.3 mm) at 50 um.
 constexpr double smooth_departure = 1e-6;
 constexpr double least_light = 0.5;
@@ -26,16 +26,13 @@ Eigen::Vector2d onCircle(double radius, double turn) { return radius * Eigen::Ve
 
 LaserSpot::LaserSpot(double diameter, const PointLaserOptions& laser) : radius_(0.5 * diameter), laser_(laser) {
   if (radius_ == 0.0) return;
-  // The axis, and rings of equal width with 6, 12, … parts: every part stands for about the same area.
-  const double width = radius_ / (rings + 0.5);
+  // Vogel's sunflower: even over the disc, with no two parts in line along any edge.
+  const double golden_angle = M_PI * (3.0 - std::sqrt(5.0));
   double sum = 0.0;
-  const auto add = [&](double r, double turn, double area) {
-    parts_.push_back({onCircle(r, turn), area * std::exp(-2.0 * r * r / (radius_ * radius_))});
+  for (int k = 0; k < parts; ++k) {
+    const double share = (k + 0.5) / parts;  // r^2 over the radius's
+    parts_.push_back({onCircle(radius_ * std::sqrt(share), golden_angle * k), std::exp(-2.0 * share)});
     sum += parts_.back().intensity;
-  };
-  add(0.0, 0.0, 0.75);
-  for (int ring = 1; ring <= rings; ++ring) {
-    for (int k = 0; k < 6 * ring; ++k) add(ring * width, 2.0 * M_PI * (k + 0.5 * (ring % 2)) / (6 * ring), 1.0);
   }
   for (auto& part : parts_) part.intensity /= sum;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path/sensing/point_laser.h"
 
+#include <algorithm>
 #include <string>
 
 #include "scan_to_path/common/error.h"
@@ -10,8 +11,9 @@
 namespace scan_to_path::sensing {
 
 std::optional<double> distanceFromVoltage(const PointLaserOptions& laser, double voltage) {
+  const auto [low, high] = std::minmax(laser.voltage_min, laser.voltage_max);
+  if (!(voltage >= low && voltage <= high)) return std::nullopt;  // NaN too
   const double share = (voltage - laser.voltage_min) / (laser.voltage_max - laser.voltage_min);
-  if (!(share >= 0.0 && share <= 1.0)) return std::nullopt;  // NaN too
   return laser.distance_min + share * (laser.distance_max - laser.distance_min);
 }
 

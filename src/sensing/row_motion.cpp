@@ -12,9 +12,16 @@ namespace {
 
 struct Look {
   std::size_t sample;
+  double time;      // [s]
   SensorPose pose;
   double velocity;  // along the rows, to the next look [m/s]
 };
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 std::vector<Look> lookAround(const scan::SampleLog& log, const SensorMotion& motion, double clock_offset,
                              std::size_t looks) {
@@ -22,10 +29,17 @@ std::vector<Look> lookAround(const scan::SampleLog& log, const SensorMotion& mot
   const std::size_t stride = std::max<std::size_t>(1, log.sensor_time.size() / std::max<std::size_t>(1, looks));
   std::size_t cursor = 0;
   for (std::size_t i = 0; i < log.sensor_time.size(); i += stride) {
-    Look look{i, {}, 0.0};
+    Look look{i, log.sensor_time[i], {}, 0.0};
     if (motion.poseAt(log.sensor_time[i] + clock_offset, cursor, look.pose)) found.push_back(look);
   }
   return found;
+}
+
+/// Time steps longer than this are pauses, of which nobody knows where the sensor was.
+double longestStep(const std::vector<Look>& looks) {
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < looks.size(); ++i) steps.push_back(looks[i + 1].time - looks[i].time);
+  return 10.0 * median(std::move(steps));
 }
 
 /// z against the mean beam, x along the axis of most of the motion, towards the base's +x (or else +y).
@@ -33,8 +47,10 @@ Eigen::Matrix3d rowAxes(const std::vector<Look>& looks) {
   Vector3 beam = Vector3::Zero();
   for (const auto& look : looks) beam += look.pose.beam;
   const Vector3 z = -beam.normalized();
+  const double longest = longestStep(looks);
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
+    if (looks[i + 1].time - looks[i].time > longest) continue;
     Vector3 step = looks[i + 1].pose.origin - looks[i].pose.origin;
     step -= z * z.dot(step);
     moments += step * step.transpose();
@@ -48,9 +64,7 @@ Eigen::Matrix3d rowAxes(const std::vector<Look>& looks) {
 double medianSpeed(const std::vector<Look>& looks) {
   std::vector<double> speeds;
   for (const auto& look : looks) speeds.push_back(std::abs(look.velocity));
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::nth_element(speeds.begin(), middle, speeds.end());
-  return *middle;
+  return median(std::move(speeds));
 }
 
 double meanAcross(const std::vector<Look>& looks, std::size_t begin, std::size_t end, const Vector3& y) {
@@ -85,8 +99,8 @@ RowMotion findRowMotion(const scan::SampleLog& log, const SensorMotion& motion, 
   if (looks.size() < 3) return result;
   result.R_base_row = rowAxes(looks);
   for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
-    const double duration = log.sensor_time[looks[i + 1].sample] - log.sensor_time[looks[i].sample];
-    looks[i].velocity = result.R_base_row.col(0).dot(looks[i + 1].pose.origin - looks[i].pose.origin) / duration;
+    const Vector3 step = looks[i + 1].pose.origin - looks[i].pose.origin;
+    looks[i].velocity = result.R_base_row.col(0).dot(step) / (looks[i + 1].time - looks[i].time);
   }
   looks.back().velocity = 0.0;
   const double slowest = 0.5 * medianSpeed(looks);

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/sensing/clock_offset.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/expect_input_error.h"
+#include "support/sensing_cell.h"
+
+namespace scan_to_path::sensing {
+namespace {
+
+using test::SensingCell;
+
+constexpr double bar = 1e-4;  // [s]
+
+EmulationOptions optionsOf(ErrorSet set, double offset, int seed) {
+  EmulationOptions options;
+  options.errors = errorPreset(set);
+  options.errors.clock_offset = offset;
+  options.seed = seed;
+  return options;
+}
+
+double largestError(ErrorSet set, double offset) {
+  const SensingCell cell;
+  double largest = 0.0;
+  for (int seed = 1; seed <= 5; ++seed) {
+    const auto estimate = cell.clockOffset(cell.emulate(optionsOf(set, offset, seed)).log);
+    EXPECT_TRUE(estimate.is_observable) << estimate.reason;
+    EXPECT_EQ(estimate.rows, 40);
+    const double error = std::abs(estimate.offset - offset);
+    EXPECT_LT(error, 4.0 * estimate.standard_error);  // the standard error is an honest one
+    EXPECT_LT(estimate.standard_error, 2e-5);
+    largest = std::max(largest, error);
+  }
+  return largest;
+}
+
+TEST(ClockOffset, AMillisecondIsFoundUnderWhiteNoise) { EXPECT_LE(largestError(ErrorSet::white, 1e-3), bar); }
+TEST(ClockOffset, AMillisecondIsFoundUnderRealisticErrors) { EXPECT_LE(largestError(ErrorSet::realistic, 1e-3), bar); }
+TEST(ClockOffset, NoOffsetIsFoundWhereThereIsNone) {
+  EXPECT_LE(largestError(ErrorSet::white, 0.0), bar);
+  EXPECT_LE(largestError(ErrorSet::realistic, 0.0), bar);
+}
+
+TEST(ClockOffset, TwinWithTheWrongSignMissesTheBar) {
+  const SensingCell cell;
+  const auto log = cell.emulate(optionsOf(ErrorSet::realistic, 1e-3, 1)).log;
+  EXPECT_GT(std::abs(cell.clockOffset(log).offset + 1e-3), bar);
+}
+
+TEST(ClockOffset, WithoutErrorsOnlyThePartsShapeIsLeft) {
+  const SensingCell cell;
+  for (const double offset : {0.0, -2.5e-3, 0.02}) {
+    const auto estimate = cell.clockOffset(cell.emulate(optionsOf(ErrorSet::none, offset, 1)).log);
+    // Third difference across 4 mm rows: 0.004 (pi / 0.16)^3 (4 mm)^3 = 2 um at most, of either sign in neighbouring
+    // groups; it stays below 1 us of 2 v slope = 20 um/ms.
+    EXPECT_NEAR(estimate.offset, offset, 1e-6);
+  }
+}
+
+TEST(ClockOffset, StartIsAddedNotCounted) {
+  const SensingCell cell;
+  const auto log = cell.emulate(optionsOf(ErrorSet::realistic, 1e-3, 2)).log;
+  const double from_zero = cell.clockOffset(log).offset;
+  PlacementOptions placement;
+  placement.clock_offset = 0.9e-3;
+  EXPECT_NEAR(cell.clockOffset(log, placement).offset, from_zero, 2e-6);  // iterated to 1 us from either side
+}
+
+TEST(ClockOffset, CorrectedScansLieOnTheSurfaceAgain) {
+  const SensingCell cell;
+  const auto emulated = cell.emulate(optionsOf(ErrorSet::none, 1e-3, 1));
+  PlacementOptions placement;
+  placement.clock_offset = cell.clockOffset(emulated.log).offset;
+  const auto scan = cell.place(emulated.log, placement);
+  for (std::size_t i = 0; i < scan.cloud.size(); i += 101) {
+    const Vector3 p = cell.T_base_workpiece.inverse() * scan.cloud[i].getVector3fMap().cast<double>();
+    // 1 us at 50 mm/s, and floats; ramps at the offset's fraction of a reading, 0.6 um at 4 ms, 0.04 um at 1 ms.
+    EXPECT_LT((cell.scene->closestPoint(p).point - p).norm(), 0.05e-6 + 0.065e-6 + 0.04e-6);
+  }
+}
+
+TEST(ClockOffset, UnevenPitchSlowJointsAndTurnedRowsAreNoObstacle) {
+  SensingCell cell;
+  EmulationOptions options = optionsOf(ErrorSet::realistic, 1e-3, 3);
+  options.joint_rate = 250.0;
+  options.raster.pitch = 0.003;
+  options.raster.pitch_alternate = 0.005;
+  EXPECT_NEAR(cell.clockOffset(cell.emulate(options).log).offset, 1e-3, bar);
+  options.raster.row_angle = 0.5;
+  cell.T_base_workpiece = geometry::makeFrame({0.8, -0.05, 0.42}, {0.02, -0.03, 0.4});
+  EXPECT_NEAR(cell.clockOffset(cell.emulate(options).log).offset, 1e-3, bar);
+}
+
+TEST(ClockOffset, LongScansAreSampledNotReadWhole) {
+  SensingCell cell;
+  EmulationOptions options = optionsOf(ErrorSet::realistic, 1e-3, 4);
+  options.raster.pitch = 0.001;  // 160 rows
+  const auto estimate = cell.clockOffset(cell.emulate(options).log);
+  EXPECT_LE(estimate.rows, 60);
+  EXPECT_GE(estimate.rows, 50);
+  EXPECT_NEAR(estimate.offset, 1e-3, bar);
+}
+
+void expectNotObservable(const SensingCell& cell, const EmulationOptions& options, const std::string& why) {
+  const auto estimate = cell.clockOffset(cell.emulate(options).log);
+  EXPECT_FALSE(estimate.is_observable);
+  EXPECT_THAT(estimate.reason, testing::HasSubstr(why));
+  EXPECT_EQ(estimate.offset, 0.0);
+}
+
+TEST(ClockOffset, FlatPlatesTellNothing) {
+  SensingCell cell;
+  cell.scene = test::onTable(std::make_shared<geometry::FlatPart>(geometry::Rectangle{0.0, 0.24, 0.0, 0.16}));
+  for (const auto set : {ErrorSet::none, ErrorSet::white, ErrorSet::realistic}) {
+    expectNotObservable(cell, optionsOf(set, 1e-3, 1), "no slopes along the rows");
+  }
+  // Rougher still: noise must not pass for slopes.
+  EmulationOptions options = optionsOf(ErrorSet::white, 1e-3, 1);
+  options.errors.noise_sigma = 100e-6;
+  expectNotObservable(cell, options, "no slopes along the rows");
+}
+
+TEST(ClockOffset, OneDirectionTellsNothing) {
+  EmulationOptions options = optionsOf(ErrorSet::white, 1e-3, 1);
+  options.raster.order = RasterOrder::one_way;
+  expectNotObservable(SensingCell(), options, "all rows run in one direction");
+}
+
+TEST(ClockOffset, FewRowsTellNothing) {
+  expectNotObservable(SensingCell::small(), optionsOf(ErrorSet::white, 1e-3, 1),
+                      "too few neighbouring rows run to and fro in turn, 5 rows found, needs 6");
+}
+
+TEST(ClockOffset, BadInputIsNamed) {
+  const SensingCell cell = SensingCell::small();
+  const auto log = cell.emulate({}).log;
+  ClockOffsetOptions options;
+  options.cell = 0.0;
+  const auto estimate = [&] {
+    estimateClockOffset(log, cell.robot, cell.encoders(), cell.laser, cell.T_tip_sensor, {}, options);
+  };
+  test::expectInputError(estimate, "clock offset.cell is 0 m, must be in");
+  options = {};
+  options.max_rows = 1;
+  test::expectInputError(estimate, "clock offset.max_rows is 1, must be in [4, 100000]");
+}
+
+}  // namespace
+}  // namespace scan_to_path::sensing
