@@ -27,12 +27,15 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
 }
 
-# build DIRECTORY [cmake option…]: configures once, then builds what changed.
+# build DIRECTORY [cmake option…] [--target TARGET]: configures, then builds what changed.
 build() {
-  local directory=$1
+  local directory=$1 options=() target=()
   shift
-  local launcher=()
-  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-  cmake -S "$root" -B "$directory" "${launcher[@]}" "$@" >"$directory.log" 2>&1 || { cat "$directory.log" >&2; return 1; }
-  cmake --build "$directory" -j "$jobs"
+  while [ $# -gt 0 ]; do
+    if [ "$1" = --target ]; then target=(--target "$2"); shift; else options+=("$1"); fi
+    shift
+  done
+  if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  cmake -S "$root" -B "$directory" "${options[@]}" >"$directory.log" 2>&1 || { cat "$directory.log" >&2; return 1; }
+  cmake --build "$directory" -j "$jobs" "${target[@]}"
 }

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/stages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/process/cutting.h"
+#include "scan_to_path/scan/cloud_io.h"
+#include "scan_to_path/verification/playback.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+/// What lies beside the part is no loss; everything else that does not reach the fit is.
+bool isLoss(const std::string& reason) { return reason != "turn" && reason != "background" && reason != "no return"; }
+
+double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
+  std::size_t lost = 0;
+  for (const auto& entry : dropped) {
+    if (isLoss(entry.reason)) lost += entry.count;
+  }
+  return lost + used == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(lost + used);
+}
+
+std::optional<double> limitUnlessZero(double limit) {
+  return limit > 0.0 ? std::optional<double>(limit) : std::nullopt;
+}
+
+Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
+  Eigen::AlignedBox3d bounds;
+  for (const auto& point : cloud) bounds.extend(Vector3(point.x, point.y, point.z));
+  return bounds;
+}
+
+void noteClockOffset(const sensing::ClockOffsetEstimate& estimate, bool corrected, ScanStage& stage) {
+  if (!estimate.is_observable) {
+    stage.notes.push_back("clock offset between sensor and encoders not observable: " + estimate.reason);
+    return;
+  }
+  stage.accuracy.push_back({"clock_offset", estimate.offset, "s"});
+  stage.accuracy.push_back({"clock_offset_standard_error", estimate.standard_error, "s"});
+  const bool significant = std::abs(estimate.offset) > std::max(1e-4, 3.0 * estimate.standard_error);
+  if (significant && !corrected) {
+    stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * estimate.offset, 3) +
+                          " ms; correct it with --set scan.correct_clock_offset=true");
+  }
+}
+
+/// The worse of the path's finding and the motion's verdict: a gouge is the part's loss, so it comes first.
+std::vector<toolpath::WaypointVerdict> merged(const std::vector<toolpath::WaypointVerdict>& findings,
+                                              std::vector<toolpath::WaypointVerdict> verdicts) {
+  auto finding = findings.begin();
+  for (auto& verdict : verdicts) {
+    if (finding == findings.end() || finding->segment != verdict.segment || finding->index != verdict.index) continue;
+    verdict = *finding++;
+  }
+  return verdicts;
+}
+
+/// The plan without the points that belong to failed waypoints; the program stops in their place.
+motion::MotionPlan withoutFailed(const MotionStage& motion) {
+  std::set<std::pair<int, int>> failed;
+  for (const auto& verdict : motion.verdicts) {
+    if (verdict.verdict != toolpath::Verdict::ok) failed.insert({verdict.segment, verdict.index});
+  }
+  motion::MotionPlan plan = motion.plan;
+  auto& points = plan.trajectory.points;
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const auto& point) { return failed.count({point.segment, point.index}) > 0; }),
+               points.end());
+  return plan;
+}
+
+}  // namespace
+
+ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options, int threads,
+                          const Progress& progress) {
+  ScanStage stage;
+  const auto estimate = sensing::estimateClockOffset(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor,
+                                                     options.placement, options.clock_offset, progress);
+  sensing::PlacementOptions placement = options.placement;
+  if (options.correct_clock_offset) {
+    if (!estimate.is_observable) throw InputError("scan.correct_clock_offset: " + estimate.reason);
+    placement.clock_offset = estimate.offset;
+  }
+  auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
+                                      progress);
+  noteClockOffset(estimate, options.correct_clock_offset, stage);
+  stage.cloud = std::move(placed.cloud);
+  stage.mean_beam = placed.mean_beam;
+  stage.report = {"scan", placed.samples_in, stage.cloud.size(), placed.dropped};
+  return stage;
+}
+
+ScanStage scanFromCloud(std::string_view content, const std::string& name, Units units, bool units_given,
+                        const ScanSection& options) {
+  auto file = scan::parseCloud(content, name);
+  const float scale = static_cast<float>(metresPerUnit(units));
+  if (units != Units::m) {
+    for (auto& point : file.cloud) point.getVector3fMap() *= scale;
+  }
+  if (!units_given) checkPlausibleSize(boundsOf(file.cloud), units, name);
+  ScanStage stage;
+  stage.mean_beam = file.viewing_direction.value_or(options.beam);
+  if (!(stage.mean_beam.norm() > 0.0)) throw InputError("scan.beam is zero, must be a direction");
+  stage.mean_beam.normalize();
+  stage.cloud = std::move(file.cloud);
+  stage.report = {"scan", stage.cloud.size() + file.no_return, stage.cloud.size(), {}};
+  scan::addDropped(stage.report.dropped, "no return", file.no_return);
+  return stage;
+}
+
+FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, const scan::FitOptions& fit_options,
+                  const ReportOptions& limits, int threads, const Progress& progress) {
+  FitStage stage;
+  stage.scan =
+      scan::fitScan(scanned.cloud, scanned.mean_beam, scan_options.cloud, fit_options, threads, progress);
+  const scan::FittedScan& scan = stage.scan;
+  stage.report = {"fit", scan.samples_in, scan.samples_used, scan.dropped};
+  double squares = 0.0;
+  for (const auto& line : scan.lines) squares += line.residual_rms * line.residual_rms * static_cast<double>(line.samples);
+  const double line_rms = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(scan.samples_used, 1)));
+  stage.accuracy.push_back({"line_residual_rms", line_rms, "m", limitUnlessZero(limits.max_line_residual)});
+  stage.accuracy.push_back({"line_noise", scan.line_sigma, "m"});
+  if (!scan.surface.control_points.empty()) {
+    stage.accuracy.push_back({"surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
+  }
+  stage.accuracy.push_back(
+      {"dropped_share", lossShare(scan.dropped, scan.samples_used), "1", limits.max_dropped_share});
+  stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
+  return stage;
+}
+
+PathStage pathStage(const std::string& process, const scan::FittedScan& scan, const std::string& frame,
+                    const JobOptions& options, const Progress& progress) {
+  if (process != "cutting") throw InputError("process '" + process + "' is not known; known: cutting");
+  PathStage stage;
+  stage.planned = process::makeCuttingPlanner(options.path)->plan({&scan, frame}, progress);
+  const std::size_t waypoints = toolpath::waypointCount(stage.planned.path);
+  stage.report = {"path", scan.samples_used, waypoints, {}};
+  for (const auto& figure : stage.planned.figures) stage.accuracy.push_back({"path_" + figure.name, figure.value, figure.unit});
+  return stage;
+}
+
+MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOptions& options, const Progress& progress) {
+  MotionStage stage;
+  const auto& planned = path.planned;
+  stage.plan = motion::planMotion(planned.path, cell.robot, cell.T_tip_tcp, options.motion, progress);
+  stage.verdicts = merged(planned.findings, stage.plan.verdicts);
+  const auto failed = static_cast<std::size_t>(
+      std::count_if(stage.verdicts.begin(), stage.verdicts.end(),
+                    [](const auto& verdict) { return verdict.verdict != toolpath::Verdict::ok; }));
+  stage.report = {"motion", stage.verdicts.size(), stage.verdicts.size() - failed, {}};
+  const auto playback = verification::playBack(stage.plan.trajectory, cell.robot, cell.T_tip_tcp, planned.path);
+  constexpr double position_limit = 1e-6;              // [m]
+  constexpr double angle_limit = 0.001 * M_PI / 180.0;  // [rad]
+  stage.accuracy = {{"playback_position", playback.position_largest, "m", position_limit},
+                    {"playback_angle", playback.angle_largest, "rad", angle_limit},
+                    {"chord_error", playback.chord_largest, "m", options.motion.chord_tolerance}};
+  if (!stage.plan.trajectory.points.empty()) {
+    stage.accuracy.push_back({"duration", stage.plan.trajectory.points.back().time, "s"});
+  }
+  return stage;
+}
+
+ProgramStage programStage(const PathStage& path, const MotionStage& motion, const Cell& cell, const JobOptions& options,
+                          const std::vector<std::string>& provenance, bool allow_partial) {
+  program::ProgramInput input;
+  input.path = path.planned.path;
+  input.plan = allow_partial ? withoutFailed(motion) : motion.plan;
+  input.robot = cell.robot;
+  input.T_tip_tcp = cell.T_tip_tcp;
+  input.T_base_workobject = cell.T_base_workpiece;
+  input.options = options.program;
+  input.provenance = provenance;
+  input.allow_partial = allow_partial;
+  ProgramStage stage;
+  stage.files = program::writeProgram(program::Controller::abb, input);
+  stage.discrepancies = program::readBack(program::Controller::abb, input, stage.files);
+  stage.report = {"program", toolpath::waypointCount(input.path), stage.files.size(), {}};
+  return stage;
+}
+
+}  // namespace scan_to_path::pipeline

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "scan_to_path/common/text.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+constexpr std::size_t listed_waypoints = 5;
+
+const Accuracy* find(const Report& report, const std::string& name) {
+  const auto found = std::find_if(report.accuracy.begin(), report.accuracy.end(),
+                                  [&](const auto& figure) { return figure.name == name; });
+  return found == report.accuracy.end() ? nullptr : &*found;
+}
+
+/// A figure in the unit in which people speak of it.
+std::string shown(double value, const std::string& unit) {
+  if (unit == "m" && std::abs(value) < 1e-4) return fixed(1e6 * value, 2) + " um";
+  if (unit == "m" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " mm";
+  if (unit == "m") return fixed(value, 3) + " m";
+  if (unit == "rad") return fixed(value * 180.0 / M_PI, 5) + " deg";
+  if (unit == "s" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " ms";
+  if (unit == "s") return fixed(value, 1) + " s";
+  return fixed(value, value == std::floor(value) ? 0 : 4);
+}
+
+/// "text value" for the figures that are there, separated by commas.
+std::string figures(const Report& report, const std::vector<std::pair<std::string, std::string>>& names) {
+  std::string line;
+  for (const auto& [name, text] : names) {
+    const Accuracy* figure = find(report, name);
+    if (figure == nullptr) continue;
+    line += (line.empty() ? "" : ", ") + (text.empty() ? "" : text + " ") + shown(figure->value, figure->unit);
+  }
+  return line;
+}
+
+void add(std::vector<std::string>& lines, const std::string& heading, const std::string& text) {
+  if (!text.empty()) lines.push_back(heading + std::string(heading.size() < 10 ? 10 - heading.size() : 1, ' ') + text);
+}
+
+std::string stageText(const StageReport& stage) {
+  std::string text = std::to_string(stage.in) + " in, " + std::to_string(stage.out) + " out";
+  for (const auto& entry : stage.dropped) text += ", " + std::to_string(entry.count) + " " + entry.reason;
+  return text;
+}
+
+void addFailures(std::vector<std::string>& lines, const Report& report, const toolpath::ToolPath& path,
+                 const std::vector<toolpath::WaypointVerdict>& verdicts) {
+  for (const auto& figure : report.accuracy) {
+    if (figure.pass()) continue;
+    add(lines, "FAILED", figure.name + " is " + shown(figure.value, figure.unit) + ", limit " +
+                             shown(*figure.limit, figure.unit));
+  }
+  std::map<toolpath::Verdict, std::size_t> failed;
+  std::size_t listed = 0;
+  for (const auto& verdict : verdicts) {
+    if (verdict.verdict == toolpath::Verdict::ok) continue;
+    ++failed[verdict.verdict];
+    if (++listed > listed_waypoints) continue;
+    add(lines, "FAILED", path.segments[static_cast<std::size_t>(verdict.segment)].name + " waypoint " +
+                             std::to_string(verdict.index) + ": " + enumName(verdict.verdict) + ": " + verdict.reason +
+                             "; " + verdict.remedy);
+  }
+  for (const auto& [verdict, count] : failed) {
+    add(lines, "FAILED", std::to_string(count) + " of " + std::to_string(verdicts.size()) + " waypoints: " +
+                             enumName(verdict));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> summarise(const Report& report, const toolpath::ToolPath& path,
+                                   const std::vector<toolpath::WaypointVerdict>& verdicts) {
+  std::vector<std::string> lines;
+  for (const auto& stage : report.stages) {
+    if (stage.name == "scan" || stage.name == "fit") add(lines, stage.name, stageText(stage));
+  }
+  add(lines, "clocks", figures(report, {{"clock_offset", "sensor against encoders"}, {"clock_offset_standard_error", "+-"}}));
+  add(lines, "accuracy", figures(report, {{"line_residual_rms", "lines fit to RMS"},
+                                          {"line_noise", "noise"},
+                                          {"surface_residual_rms", "surface to RMS"}}));
+  add(lines, "path", figures(report, {{"path_rows", "rows"},
+                                      {"path_row_distance_median", "apart"},
+                                      {"path_scallop", "scallop"},
+                                      {"path_waypoints", "waypoints"},
+                                      {"path_cutting_length", "cutting"}}));
+  add(lines, "reference", figures(report, {{"reference_path_rms", "path off it RMS"},
+                                           {"reference_path_largest", "max"},
+                                           {"reference_normal_mean", "normals mean"},
+                                           {"reference_normal_largest", "max"}}));
+  add(lines, "motion", figures(report, {{"duration", "takes"},
+                                        {"playback_position", "played back within"},
+                                        {"playback_angle", ""},
+                                        {"chord_error", "chord error"}}));
+  for (const auto& note : report.notes) add(lines, "note", note);
+  addFailures(lines, report, path, verdicts);
+  return lines;
+}
+
+}  // namespace scan_to_path::pipeline

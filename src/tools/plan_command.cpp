@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "commands.h"
+#include "common_flags.h"
+#include "progress_bar.h"
+#include "scan_to_path/geometry/scene.h"
+#include "scan_to_path/pipeline/configuration.h"
+#include "scan_to_path/pipeline/job.h"
+
+namespace scan_to_path::tools {
+namespace {
+
+struct PlanFlags {
+  CommonFlags common;
+  std::string process = "cutting";
+  std::string input;
+  std::string input_kind;
+  std::string units;
+  std::string stop_after = "program";
+  std::vector<std::string> controllers;
+  std::string reference;
+  bool allow_partial = false;
+  std::uint64_t seed = 1;
+  std::string out;
+};
+
+void addFlags(CLI::App& command, PlanFlags& flags) {
+  command.add_option("--process", flags.process, "what is done to the part: cutting")->capture_default_str();
+  command.add_option("--input", flags.input, "sample log, or a scan cloud as PCD or PLY; told by content")->type_name("FILE");
+  command.add_option("--input-kind", flags.input_kind, "insist: samples, cloud, mesh or cad");
+  command.add_option("--units", flags.units, "of a cloud: m (default), mm or inch");
+  command.add_option("--stop-after", flags.stop_after, "scan, fit, path, motion or program")->capture_default_str();
+  command.add_option("--controller", flags.controllers, "abb or pulses (repeatable; default both)")->allow_extra_args(false);
+  command.add_option("--reference", flags.reference,
+                     "true surface to measure the finished path against: a mesh in metres in the workpiece frame, or s_part")
+      ->type_name("FILE");
+  command.add_flag("--allow-partial", flags.allow_partial, "write the program without the waypoints that fail");
+  command.add_option("--seed", flags.seed, "of random choices; in the report")->capture_default_str();
+  command.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
+  flags.common.addTo(command);
+}
+
+std::shared_ptr<const geometry::Surface> referenceSurface(const std::string& name, const pipeline::MountOptions& mount) {
+  if (name.empty()) return nullptr;
+  const Workpiece part = name == "s_part" ? sPart() : readWorkpiece(name, std::nullopt, std::nullopt);
+  return std::make_shared<geometry::PosedSurface>(part.surface, geometry::makeFrame(mount.xyz, mount.rpy));
+}
+
+pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOptions& options) {
+  if (flags.input.empty()) throw InputError("plan: --input is missing");
+  pipeline::JobRequest request;
+  request.process = flags.process;
+  request.input = flags.input;
+  if (!flags.input_kind.empty()) request.input_kind = parseEnum<pipeline::InputKind>("--input-kind", flags.input_kind);
+  if (!flags.units.empty()) request.units = parseEnum<pipeline::Units>("--units", flags.units);
+  request.stop_after = parseEnum<pipeline::Stage>("--stop-after", flags.stop_after);
+  request.allow_partial = flags.allow_partial;
+  request.threads = flags.common.threads;
+  request.seed = flags.seed;
+  request.out = flags.out.empty() ? "out/" + flags.process : flags.out;
+  if (!flags.controllers.empty()) request.outputs.clear();
+  for (const auto& name : flags.controllers) request.outputs.push_back(parseEnum<pipeline::Output>("--controller", name));
+  request.package_path = flags.common.packagePath();
+  request.reference = referenceSurface(flags.reference, options.cell.workpiece);
+  return request;
+}
+
+int plan(const PlanFlags& flags) {
+  pipeline::JobOptions options = flags.common.options();
+  if (flags.common.print_config) {
+    std::fputs(pipeline::formatYaml(pipeline::fieldReferences(options)).c_str(), stdout);
+    return 0;
+  }
+  const pipeline::JobRequest request = requestFrom(flags, options);
+  pipeline::JobResult result;
+  {
+    ProgressBar bar(flags.common.quiet);
+    result = pipeline::runJob(request, options, bar.progress());
+  }
+  if (!flags.common.quiet) {
+    for (const auto& line : result.summary) std::puts(line.c_str());
+  }
+  return result.exit;
+}
+
+}  // namespace
+
+std::function<int()> addPlanCommand(CLI::App& app) {
+  const auto flags = std::make_shared<PlanFlags>();
+  CLI::App* command = app.add_subcommand("plan", "From a scan to a robot program");
+  addFlags(*command, *flags);
+  command->footer(
+      "Exit status: 0 every waypoint planned and verified; 1 planned, but a waypoint or a tolerance fails (no program\n"
+      "is written unless --allow-partial); 2 bad input or configuration; 3 a bug; 130 interrupted.\n\n"
+      "Example: scan_to_path plan --process cutting --input samples.csv --set path.scallop_height=5e-5");
+  return [flags] { return plan(*flags); };
+}
+
+}  // namespace scan_to_path::tools

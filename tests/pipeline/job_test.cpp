@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/job.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/geometry/scene.h"
+#include "scan_to_path/motion/trajectory.h"
+#include "scan_to_path/scan/sample_log.h"
+#include "scan_to_path/toolpath/tool_path.h"
+#include "small_scan.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class JobTest : public ::testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    directory_ = new fs::path(freshDirectory("job"));
+    std::ofstream(*directory_ / "samples.csv") << scan::formatSampleLog(smallScan());
+  }
+  static void TearDownTestSuite() {
+    fs::remove_all(*directory_);
+    delete directory_;
+  }
+
+  static JobRequest request(const std::string& out) {
+    JobRequest request;
+    request.input = *directory_ / "samples.csv";
+    request.out = *directory_ / out;
+    request.package_path = source_package;
+    return request;
+  }
+  static std::string file(const JobRequest& request, const std::string& name) { return readFile(request.out / name); }
+  static std::set<std::string> files(const JobRequest& request) {
+    std::set<std::string> names;
+    if (!fs::exists(request.out)) return names;
+    for (const auto& entry : fs::directory_iterator(request.out)) names.insert(entry.path().filename());
+    return names;
+  }
+  static std::string errorOf(const JobRequest& request, const JobOptions& options = {}) {
+    try {
+      runJob(request, options, {});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  static fs::path* directory_;
+};
+fs::path* JobTest::directory_ = nullptr;
+
+TEST_F(JobTest, WritesEveryFileAndSucceeds) {
+  const auto job = request("whole");
+  const JobResult result = runJob(job, {}, {});
+  EXPECT_EQ(result.exit, 0) << ::testing::PrintToString(result.summary);
+  EXPECT_EQ(files(job), (std::set<std::string>{"path.csv", "trajectory.csv", "pulses.csv", "program.mod", "program.pgf",
+                                               "report.json", "timing.json"}));
+  EXPECT_FALSE(fs::exists(job.out.string() + ".part"));
+  const auto path = toolpath::parseToolPath(file(job, "path.csv"), "path.csv");
+  const auto trajectory = motion::parseTrajectory(file(job, "trajectory.csv"), "trajectory.csv");
+  EXPECT_GE(trajectory.points.size(), toolpath::waypointCount(path));
+  const auto report = nlohmann::json::parse(file(job, "report.json"));
+  EXPECT_EQ(report["summary"]["ok"], toolpath::waypointCount(path));
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_EQ(report["input"]["kind"], "samples");
+}
+
+TEST_F(JobTest, StopsAfterTheStageAskedFor) {
+  const std::map<Stage, std::set<std::string>> expected = {
+      {Stage::scan, {"report.json", "timing.json"}},
+      {Stage::fit, {"report.json", "timing.json"}},
+      {Stage::path, {"path.csv", "report.json", "timing.json"}},
+      {Stage::motion, {"path.csv", "report.json", "timing.json", "trajectory.csv"}}};
+  for (const auto& [stage, names] : expected) {
+    auto job = request(std::string("stop_") + enumName(stage));
+    job.stop_after = stage;
+    EXPECT_EQ(runJob(job, {}, {}).exit, 0);
+    EXPECT_EQ(files(job), names) << enumName(stage);
+  }
+}
+
+TEST_F(JobTest, SameBytesTwiceAndWithTwoThreads) {
+  const auto first = request("first");
+  auto second = request("second");
+  second.threads = 2;
+  runJob(first, {}, {});
+  runJob(second, {}, {});
+  for (const auto& name : files(first)) {
+    if (name != "timing.json") {
+      EXPECT_TRUE(file(first, name) == file(second, name)) << name;
+    }
+  }
+}
+
+TEST_F(JobTest, ReferenceChangesNothingButTheReport) {
+  const auto blind = request("blind");
+  auto measured = request("measured");
+  measured.reference = std::make_shared<geometry::PosedSurface>(
+      std::make_shared<geometry::Saddle>(smallPart()),
+      geometry::makeFrame(CellOptions().workpiece.xyz, CellOptions().workpiece.rpy));
+  runJob(blind, {}, {});
+  runJob(measured, {}, {});
+  for (const auto& name : files(blind)) {
+    if (name != "timing.json" && name != "report.json") {
+      EXPECT_TRUE(file(blind, name) == file(measured, name)) << name;
+    }
+  }
+  const auto report = nlohmann::json::parse(file(measured, "report.json"));
+  // Noise of 2 um over 1,200 samples and a handful of control points a row: far below 1 um.
+  EXPECT_LT(report["accuracy"]["reference_path_rms"]["value"].get<double>(), 1e-6);
+  EXPECT_FALSE(nlohmann::json::parse(file(blind, "report.json"))["accuracy"].contains("reference_path_rms"));
+}
+
+TEST_F(JobTest, FailingWaypointsLeaveNoProgramUnlessPartialIsAllowed) {
+  JobOptions options;
+  options.path.feed = 0.9;
+  options.motion.speed_fraction = 0.01;
+  auto job = request("failing");
+  runJob(job, {}, {});
+  ASSERT_TRUE(files(job).count("program.mod"));
+  JobResult result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_FALSE(files(job).count("program.mod")) << "an older program must not stay beside a failed plan";
+  EXPECT_FALSE(files(job).count("pulses.csv"));
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("limit")));
+  job.allow_partial = true;
+  result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_FALSE(files(job).count("pulses.csv")) << "positions cannot be left out of a stream";
+}
+
+TEST_F(JobTest, ABrokenToleranceFailsTheJobByName) {
+  JobOptions options;
+  options.report.max_line_residual = 1e-7;
+  auto job = request("tolerance");
+  job.stop_after = Stage::fit;
+  const JobResult result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("line_residual_rms")));
+}
+
+TEST_F(JobTest, BadInputLeavesAnOlderResultAlone) {
+  auto job = request("older");
+  job.stop_after = Stage::path;
+  runJob(job, {}, {});
+  const std::string before = file(job, "path.csv");
+  job.input = *directory_ / "none.csv";
+  EXPECT_THAT(errorOf(job), HasSubstr("cannot read"));
+  EXPECT_EQ(file(job, "path.csv"), before);
+  EXPECT_FALSE(fs::exists(job.out.string() + ".part"));
+}
+
+TEST_F(JobTest, CancelInAnyStageWritesNothing) {
+  for (const char* stage : {"read", "lines", "path", "motion", "write"}) {
+    std::atomic<bool> cancelled{false};
+    const Progress progress(
+        [&](const std::string& name, double) {
+          if (name == stage) cancelled = true;
+        },
+        &cancelled);
+    const auto job = request(std::string("cancelled_") + stage);
+    EXPECT_THROW(runJob(job, {}, progress), Interrupted) << stage;
+    EXPECT_TRUE(files(job).empty()) << stage;
+    EXPECT_FALSE(fs::exists(job.out.string() + ".part")) << stage;
+  }
+}
+
+TEST_F(JobTest, RefusesWhatItCannotPlanFrom) {
+  auto job = request("refused");
+  std::ofstream(*directory_ / "part.stl") << "solid a\nendsolid a\n";
+  job.input = *directory_ / "part.stl";
+  EXPECT_THAT(errorOf(job), HasSubstr("emulate --workpiece part.stl"));
+  job = request("refused");
+  job.process = "grinding";
+  EXPECT_THAT(errorOf(job), HasSubstr("known: cutting"));
+  JobOptions options;
+  options.path.ball_radius = -1.0;
+  EXPECT_THAT(errorOf(request("refused"), options), HasSubstr("path.ball_radius is -1 m, must be in"));
+}
+
+TEST_F(JobTest, ReportMutationIsSeen) {
+  // The twin of the checks above: a wrong reference must show in the figure.
+  auto job = request("mutated");
+  job.stop_after = Stage::path;
+  const auto& mount = CellOptions().workpiece;
+  job.reference = std::make_shared<geometry::PosedSurface>(
+      std::make_shared<geometry::Saddle>(smallPart()),
+      geometry::makeFrame(mount.xyz + Vector3(0.0, 0.0, 1e-5), mount.rpy));
+  runJob(job, {}, {});
+  const auto report = nlohmann::json::parse(file(job, "report.json"));
+  EXPECT_GT(report["accuracy"]["reference_path_rms"]["value"].get<double>(), 9e-6);
+}
+
+}  // namespace
+}  // namespace scan_to_path::pipeline

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scan_to_path/geometry/height_field.h"
+#include "scan_to_path/pipeline/cell.h"
+#include "scan_to_path/sensing/emulate_scan.h"
+
+namespace scan_to_path::pipeline {
+
+/// Where the tests find the shipped arm.
+inline const std::vector<std::filesystem::path> source_package = {SCAN_TO_PATH_SOURCE_DIR};
+
+/// A saddle of 60 mm by 60 mm: small enough to scan within a second, curved enough to need a fit.
+inline geometry::Saddle smallPart() { return geometry::Saddle(0.15, 0.03); }
+
+/// Noise-free scan of the small part at 4 mm pitch, without a table.
+inline scan::SampleLog smallScan() {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  sensing::EmulationOptions options;
+  options.errors.noise_sigma = 2e-6;
+  const Eigen::AlignedBox2d rectangle(Eigen::Vector2d(-0.03, -0.03), Eigen::Vector2d(0.03, 0.03));
+  return sensing::emulateScan(smallPart(), rectangle, cell.T_base_workpiece, cell.robot, cell.encoders, cell.laser,
+                              cell.T_tip_sensor, options)
+      .log;
+}
+
+/// A directory of this test's own, empty.
+inline std::filesystem::path freshDirectory(const std::string& name) {
+  const std::filesystem::path directory = std::filesystem::path(::testing::TempDir()) / ("scan_to_path_" + name);
+  std::filesystem::remove_all(directory);
+  std::filesystem::create_directories(directory);
+  return directory;
+}
+
+}  // namespace scan_to_path::pipeline

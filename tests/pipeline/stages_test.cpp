@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/stages.h"
+
+#include <gmock/gmock.h>
+
+#include "scan_to_path/scan/cloud_io.h"
+#include "small_scan.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Accuracy& figure(const std::vector<Accuracy>& figures, const std::string& name) {
+  for (const auto& candidate : figures) {
+    if (candidate.name == name) return candidate;
+  }
+  throw std::runtime_error("no figure " + name);
+}
+
+TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const ScanSection options;
+  const ScanStage samples = scanFromSamples(smallScan(), cell, options, 1, {});
+  const ScanStage cloud = scanFromCloud(scan::formatPcd(samples.cloud), "cloud.pcd", Units::m, false, options);
+  ASSERT_EQ(cloud.cloud.size(), samples.cloud.size());
+  EXPECT_LT(geometry::angleBetween(cloud.mean_beam, samples.mean_beam), 1e-6);
+  const FitStage a = fitStage(samples, options, {}, {}, 1, {});
+  const FitStage b = fitStage(cloud, options, {}, {}, 1, {});
+  ASSERT_EQ(a.scan.lines.size(), b.scan.lines.size());
+  for (std::size_t i = 0; i < a.scan.lines.size(); ++i) {
+    EXPECT_EQ(a.scan.lines[i].curve.control_points.size(), b.scan.lines[i].curve.control_points.size());
+  }
+}
+
+TEST(Stages, CloudsInMillimetresAreScaledOrSuggested) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  for (auto& point : samples.cloud) point.getVector3fMap() *= 1000.0F;
+  const std::string text = scan::formatPcd(samples.cloud);
+  const ScanStage scaled = scanFromCloud(text, "mm.pcd", Units::mm, true, {});
+  EXPECT_LT(scaled.cloud.front().getVector3fMap().norm(), 3.0F);
+  try {
+    scanFromCloud(text, "mm.pcd", Units::m, false, {});
+    FAIL() << "a part of 60 m was taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--units mm"));
+  }
+}
+
+TEST(Stages, TheFitsLimitsComeFromTheOptions) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  ReportOptions limits;
+  limits.max_line_residual = 0.0;
+  const FitStage fit = fitStage(samples, {}, {}, limits, 1, {});
+  EXPECT_FALSE(figure(fit.accuracy, "line_residual_rms").limit.has_value());
+  EXPECT_EQ(*figure(fit.accuracy, "dropped_share").limit, limits.max_dropped_share);
+  EXPECT_EQ(fit.report.in, samples.cloud.size());
+}
+
+TEST(Stages, FindingsOfThePathOutrankTheMotions) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  const FitStage fit = fitStage(samples, {}, {}, {}, 1, {});
+  JobOptions options;
+  PathStage path = pathStage("cutting", fit.scan, "base_link", options, {});
+  path.planned.findings = {{1, 2, toolpath::Verdict::gouge, -1e-3, "m", "a wall", "smaller ball"}};
+  const MotionStage motion = motionStage(path, cell, options, {});
+  std::size_t gouges = 0;
+  for (const auto& verdict : motion.verdicts) {
+    if (verdict.verdict != toolpath::Verdict::gouge) continue;
+    ++gouges;
+    EXPECT_EQ(verdict.segment, 1);
+    EXPECT_EQ(verdict.index, 2);
+  }
+  EXPECT_EQ(gouges, 1U);
+  EXPECT_EQ(motion.verdicts.size(), toolpath::waypointCount(path.planned.path));
+  EXPECT_EQ(motion.report.out, motion.report.in - 1);
+}
+
+TEST(Stages, ProgramIsReadBackWithoutDiscrepancy) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  const FitStage fit = fitStage(samples, {}, {}, {}, 1, {});
+  const JobOptions options;
+  const PathStage path = pathStage("cutting", fit.scan, "base_link", options, {});
+  const MotionStage motion = motionStage(path, cell, options, {});
+  const ProgramStage program = programStage(path, motion, cell, options, {"a test"}, false);
+  EXPECT_TRUE(program.discrepancies.empty());
+  EXPECT_GE(program.files.size(), 2U);
+}
+
+}  // namespace
+}  // namespace scan_to_path::pipeline
