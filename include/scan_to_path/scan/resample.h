@@ -23,7 +23,7 @@ struct ResampleOptions {
 
 /// Parameters at which the line is to be sampled, rising, from line.begin to line.end, both included. Without a chord
 /// error the points have equal distances along the line, the largest that divides it and is not above spacing; with
-/// one they are nearer to each other where the curve bends: step = sqrt(8 chord_error / curvature).
+/// one they are nearer to each other where the curve bends: step <= sqrt(8 chord_error / curvature).
 /// Throws InputError when the line's end is not after its begin.
 std::vector<double> resampleParameters(const FittedLine& line, const ResampleOptions& options);
 

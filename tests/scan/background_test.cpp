@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/scan/background.h"
+
+#include <gmock/gmock.h>
+
+#include "scan_to_path/scan/fit_scan.h"
+#include "support/expect_input_error.h"
+#include "support/raster_scan.h"
+
+namespace scan_to_path::scan {
+namespace {
+
+using test::freeStanding;
+using test::onTable;
+using test::RasterScan;
+
+std::size_t backgroundOf(const RasterScan& scan, const test::HeightFunction& height, BackgroundOptions options = {}) {
+  ScanOptions all;
+  all.background = options;
+  const SampleRows rows = cleanRows(scanRaster(scan, height), -scan.T_cloud_scan.linear().col(2), all);
+  for (const Dropped& d : rows.dropped) {
+    if (d.reason == "background") return d.count;
+  }
+  return 0;
+}
+
+/// Over the S part with some of the table around it.
+RasterScan overscan() {
+  RasterScan scan;
+  scan.rows = test::evenRows(-0.006, 0.004, 44);
+  scan.spacing = 0.0001;
+  scan.noise = 2e-6;
+  scan.T_cloud_scan = geometry::makeFrame({0.7, 0.2, 0.1}, {0.2, 0.1, -1.0});
+  return scan;
+}
+
+/// Over a plate only.
+RasterScan plateScan() {
+  RasterScan scan = overscan();
+  scan.x_min = 0.0;
+  scan.x_max = 0.1;
+  scan.rows = test::evenRows(0.0, 0.004, 20);
+  return scan;
+}
+
+TEST(Background, TheTableGoesAndThePartStays) {
+  const geometry::SPart part;
+  const RasterScan scan = overscan();
+  ScanOptions options;
+  const SampleRows rows =
+      cleanRows(scanRaster(scan, onTable(part, -0.024)), -scan.T_cloud_scan.linear().col(2), options);
+  const geometry::Frame T_part_scan = scan.T_cloud_scan.inverse() * rows.T_cloud_scan;
+  std::size_t on_part = 0;
+  for (const RowPiece& piece : rows.pieces) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vector3 p = T_part_scan * Vector3(piece.x[i], piece.y[i], piece.z[i]);
+      EXPECT_GT(p.z(), -0.0225);
+      on_part += part.rectangle().contains(p.x(), p.y()) ? 1 : 0;
+    }
+  }
+  EXPECT_GE(on_part, 2400u * 40u * 99u / 100u);  // 40 of the rows lie on the part
+  EXPECT_EQ(rows.pieces.size(), 40u);
+}
+
+TEST(Background, ATiltedTableGoesToo) {
+  const geometry::SPart part;
+  const auto tilted = [&](double x, double y) -> std::optional<double> {
+    if (part.rectangle().contains(x, y)) return part.jet(x, y).z;
+    return -0.03 + 0.05 * x - 0.02 * y;
+  };
+  EXPECT_GT(backgroundOf(overscan(), tilted), 44u * 150u);
+}
+
+TEST(Background, PlateWithoutTableLosesNothing) {
+  EXPECT_EQ(backgroundOf(plateScan(), [](double, double) { return 0.0; }), 0u);
+}
+
+TEST(Background, FreeStandingPartLosesNothing) {
+  const geometry::SPart part;
+  EXPECT_EQ(backgroundOf(overscan(), freeStanding(part)), 0u);
+}
+
+TEST(Background, StepsAndPocketsLoseNothing) {
+  EXPECT_EQ(backgroundOf(plateScan(), [](double x, double) { return x < 0.05 ? 0.0 : -0.01; }), 0u);
+  EXPECT_EQ(backgroundOf(plateScan(), [](double, double y) { return y < 0.041 ? 0.0 : -0.01; }), 0u);
+  const auto pocket = [](double x, double y) {
+    return x > 0.02 && x < 0.08 && y > 0.018 && y < 0.062 ? -0.012 : 0.0;
+  };
+  EXPECT_EQ(backgroundOf(plateScan(), pocket), 0u);
+}
+
+TEST(Background, TableSeenThroughAHoleGoes) {
+  const auto holed = [](double x, double y) {
+    const bool on_part = x > 0.01 && x < 0.09 && y > 0.009 && y < 0.07;
+    return on_part && std::hypot(x - 0.05, y - 0.04) > 0.012 ? 0.0 : -0.02;
+  };
+  const RasterScan scan = plateScan();
+  EXPECT_GT(backgroundOf(scan, holed), 0u);
+  BackgroundOptions none;
+  none.mode = BackgroundMode::none;
+  EXPECT_EQ(backgroundOf(scan, holed, none), 0u);
+}
+
+TEST(Background, GivenHeightIsAlongTheBeamInTheCloudsFrame) {
+  RasterScan scan = plateScan();
+  scan.T_cloud_scan = geometry::makeFrame({0.0, 0.0, 0.5}, {0.0, 0.0, 0.3});
+  BackgroundOptions options;
+  options.mode = BackgroundMode::height;
+  options.height = 0.49;
+  const auto step = [](double x, double) { return x < 0.05 ? 0.0 : -0.01; };
+  EXPECT_NEAR(static_cast<double>(backgroundOf(scan, step, options)), 20.0 * 500.0, 45.0);
+  options.height = 0.6;
+  test::expectInputError([&] { backgroundOf(scan, step, options); }, "samples above the background is 0");
+}
+
+}  // namespace
+}  // namespace scan_to_path::scan

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/scan/line_fit.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+
+#include "scan_to_path/common/random.h"
+#include "support/expect_input_error.h"
+
+namespace scan_to_path::scan {
+namespace {
+
+using Height = std::function<double(double)>;
+
+/// `count` equal rows along x from 0 to 0.1 m, 4 mm apart.
+SampleRows rowsOf(const Height& z, double noise = 0.0, int count = 5, double spacing = 50e-6) {
+  Random random(7);
+  SampleRows rows;
+  rows.pitch = 0.004;
+  rows.spacing = spacing;
+  for (int row = 0; row < count; ++row) {
+    RowPiece piece;
+    piece.row = row;
+    piece.forward = row % 2 == 0;
+    for (double x = 0.0; x < 0.1; x += spacing) {
+      piece.x.push_back(x);
+      piece.y.push_back(0.004 * row);
+      piece.z.push_back(z(x) + noise * random.gaussian());
+      piece.index.push_back(0);
+    }
+    rows.pieces.push_back(piece);
+  }
+  return rows;
+}
+
+double wave(double x) { return 0.01 * std::sin(60.0 * x); }
+double roof(double x) { return x < 0.04 ? x : 0.08 - x; }
+
+void cutOut(SampleRows& rows, double from, double to) {
+  for (RowPiece& piece : rows.pieces) {
+    RowPiece kept;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (piece.x[i] > from && piece.x[i] < to) continue;
+      kept.x.push_back(piece.x[i]);
+      kept.y.push_back(piece.y[i]);
+      kept.z.push_back(piece.z[i]);
+      kept.index.push_back(piece.index[i]);
+    }
+    kept.row = piece.row;
+    piece = kept;
+  }
+}
+
+double largestError(const FittedLine& line, const Height& z) {
+  double largest = 0.0;
+  for (int k = 0; k <= 500; ++k) {
+    const Vector3 p = nurbs::pointAt(line.curve, line.begin + (line.end - line.begin) * k / 500);
+    largest = std::max(largest, std::abs(p.z() - z(p.x())));
+  }
+  return largest;
+}
+
+class Parameterizations : public ::testing::TestWithParam<Parameterization> {};
+
+TEST_P(Parameterizations, FollowASmoothRow) {
+  LineFitOptions options;
+  options.parameterization = GetParam();
+  const FittedLines fitted = fitLines(rowsOf(wave), options);
+  ASSERT_EQ(fitted.lines.size(), 5u);
+  for (const FittedLine& line : fitted.lines) {
+    EXPECT_LT(largestError(line, wave), 0.1e-6);
+    EXPECT_NEAR(nurbs::pointAt(line.curve, line.begin).x(), 0.0, 1e-6);
+    EXPECT_NEAR(nurbs::pointAt(line.curve, line.end).x(), 0.1, 60e-6);
+    EXPECT_TRUE(line.begins_at_edge && line.ends_at_edge);
+  }
+  EXPECT_EQ(fitted.lines[1].row, 1);
+  EXPECT_FALSE(fitted.lines[1].forward);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Parameterizations,
+                         ::testing::Values(Parameterization::scan_coordinate, Parameterization::chord_length,
+                                           Parameterization::centripetal),
+                         [](const auto& info) { return std::string(enumName(info.param)); });
+
+TEST(LineFit, EstimatesTheNoiseAlongTheBeam) {
+  const double noise = 10e-6;
+  const FittedLines fitted = fitLines(rowsOf(wave, noise), {});
+  for (const FittedLine& line : fitted.lines) {
+    // The estimate scatters by sigma / sqrt(2 n); factor 3.
+    EXPECT_NEAR(line.sigma, noise, 3.0 * noise / std::sqrt(2.0 * static_cast<double>(line.samples)));
+    EXPECT_LT(line.residual_rms, line.sigma);
+  }
+}
+
+TEST(LineFit, KnownNoiseChoosesByMallows) {
+  LineFitOptions options;
+  options.control_points.noise = 10e-6;
+  const FittedLines fitted = fitLines(rowsOf(wave, 10e-6), options);
+  for (const FittedLine& line : fitted.lines) EXPECT_LT(largestError(line, wave), 5e-6);
+}
+
+TEST(LineFit, CurvesAreInTheCloudsFrame) {
+  SampleRows rows = rowsOf(wave);
+  const FittedLines here = fitLines(rows, {});
+  rows.T_cloud_scan = geometry::makeFrame({1.0, 2.0, 3.0}, {0.3, 0.2, 0.1});
+  const FittedLines there = fitLines(rows, {});
+  for (std::size_t i = 0; i < here.lines.size(); ++i) {
+    const Vector3 p = rows.T_cloud_scan * nurbs::pointAt(here.lines[i].curve, 0.05);
+    EXPECT_LT((p - nurbs::pointAt(there.lines[i].curve, 0.05)).norm(), 1e-14);
+  }
+}
+
+TEST(LineFit, ACornerSplitsTheLine) {
+  const SampleRows rows = rowsOf(roof, 10e-6);
+  const auto corners = findCorners(rows.pieces[0], {});
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_NEAR(rows.pieces[0].x[corners[0].index], 0.04, 150e-6);
+  EXPECT_NEAR(corners[0].angle, std::atan(1.0) * 2.0, 0.05);
+  const FittedLines fitted = fitLines(rows, {});
+  ASSERT_EQ(fitted.lines.size(), 10u);
+  EXPECT_TRUE(fitted.lines[0].begins_at_edge);
+  EXPECT_FALSE(fitted.lines[0].ends_at_edge);
+  EXPECT_FALSE(fitted.lines[1].begins_at_edge);
+  // Beside the corner a few samples of the other side may have gone along: 150 um of it at slope 2 off.
+  EXPECT_LT(largestError(fitted.lines[0], roof), 60e-6);
+  LineFitOptions off;
+  off.corner_angle = 3.0;
+  EXPECT_TRUE(findCorners(rows.pieces[0], off).empty());
+  EXPECT_GT(largestError(fitLines(rows, off).lines[0], roof), 20e-6);
+}
+
+TEST(LineFit, RoundsAndNoiseAreNoCorners) {
+  // A round of 4 mm radius between two slopes of 45 degrees turns by 0.25 rad within a window of 1 mm.
+  const Height round = [](double x) {
+    const double radius = 0.004;
+    const double s = std::abs(x - 0.05);
+    const double half = radius * std::sqrt(0.5);
+    return s < half ? std::sqrt(radius * radius - s * s) : half - (s - half);
+  };
+  EXPECT_TRUE(findCorners(rowsOf(round).pieces[0], {}).empty());
+  for (const double spacing : {10e-6, 50e-6, 200e-6}) {
+    const SampleRows noisy = rowsOf(wave, 10e-6, 3, spacing);
+    for (const RowPiece& piece : noisy.pieces) EXPECT_TRUE(findCorners(piece, {}).empty());
+  }
+}
+
+TEST(LineFit, AShortDropOutDoesNotMoveTheLine) {
+  SampleRows rows = rowsOf(wave);
+  cutOut(rows, 0.05, 0.0505);
+  const FittedLines fitted = fitLines(rows, {});
+  ASSERT_EQ(fitted.lines.size(), 5u);
+  EXPECT_LT(largestError(fitted.lines[0], wave), 1.2e-6);
+}
+
+TEST(LineFit, ShortPiecesAreCounted) {
+  SampleRows rows = rowsOf(wave);
+  rows.pieces.push_back(subPiece(rows.pieces[0], 0, 5));
+  rows.pieces.back().row = 5;
+  const FittedLines fitted = fitLines(rows, {});
+  ASSERT_EQ(fitted.dropped.size(), 1u);
+  EXPECT_EQ(fitted.dropped[0].reason, "too short to fit");
+  EXPECT_EQ(fitted.dropped[0].count, 5u);
+  rows.pieces.erase(rows.pieces.begin(), rows.pieces.begin() + 5);
+  test::expectInputError([&] { fitLines(rows, {}); }, "at least 8");
+}
+
+}  // namespace
+}  // namespace scan_to_path::scan
