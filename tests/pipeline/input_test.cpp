@@ -20,7 +20,7 @@ TEST(Input, IsDetectedByContent) {
                  "property list uchar int vertex_indices\nend_header\n0\n3 0 0 0\n"),
             InputKind::mesh);
   EXPECT_EQ(kind("solid part\n"), InputKind::mesh);
-  EXPECT_EQ(kind(std::string(80, ' ') + std::string(4, '\0')), InputKind::mesh);
+  EXPECT_EQ(kind(std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0')), InputKind::mesh);
   EXPECT_EQ(kind("OFF\n3 1 0\n"), InputKind::mesh);
   EXPECT_EQ(kind("# Blender\n\no part\nv 0 0 0\n"), InputKind::mesh);
   EXPECT_EQ(kind("ISO-10303-21;\n"), InputKind::cad);
