@@ -23,15 +23,14 @@ std::vector<int> candidateCounts(int largest) {
 
 double length(const LineMoments& line) { return line.last() - line.first(); }
 
-/// Largest value of `values` within `window` places of each place.
-std::vector<double> windowMaximum(const std::vector<double>& values, std::size_t window) {
-  std::vector<double> result(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i - std::min(i, window));
-    const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(values.size(), i + window + 1));
-    result[i] = *std::max_element(begin, end);
+/// Calls visit(j) for the lines that choose together with line i: it and its neighbours, but for stubs, which would
+/// ask for knot spacings far from those of a long line.
+template <class Visitor>
+void forPool(const std::vector<LineMoments>& lines, std::size_t i, std::size_t window, Visitor&& visit) {
+  for (std::size_t j = i - std::min(i, window); j < std::min(lines.size(), i + window + 1); ++j) {
+    const double ratio = length(lines[j]) / length(lines[i]);
+    if (ratio > 0.5 && ratio < 2.0) visit(j);
   }
-  return result;
 }
 
 /// Residual sums of all lines for the candidates that may be asked for.
@@ -44,10 +43,19 @@ public:
     for (std::size_t i = 0; i < lines.size(); ++i) {
       useful[i] = (lines[i].usefulControlPoints(options.noise) - degree) / length(lines[i]);
     }
-    tried_ = windowMaximum(useful, window);
-    const std::vector<double> needed = windowMaximum(tried_, window);
+    std::vector<std::size_t> needed(lines.size(), 0);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      double density = 0.0;
+      forPool(lines, i, window, [&](std::size_t j) { density = std::max(density, useful[j]); });
+      tried_.push_back(candidatesUpTo(i, density));
+      forPool(lines, i, window, [&](std::size_t j) {
+        needed[j] = std::max(needed[j], matching(i, tried_[i] - 1, j) + 1);
+      });
+    }
     parallelFor(lines.size(), threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) fill(i, needed[i]);
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t c = 0; c < needed[i]; ++c) sums_[i].push_back(lines_[i].rss(counts_[c]));
+      }
     });
   }
 
@@ -55,10 +63,9 @@ public:
 
   /// Number of candidates to try for a line: those up to its window's useful spacing, as far as the line allows.
   std::size_t tried(std::size_t line) const {
-    const std::size_t end = candidatesUpTo(line, tried_[line]);
     const auto& sums = sums_[line];
     const auto refused = std::find_if(sums.begin(), sums.end(), [](double rss) { return std::isnan(rss); });
-    return std::min({end, sums.size(), static_cast<std::size_t>(refused - sums.begin())});
+    return std::min(tried_[line], static_cast<std::size_t>(refused - sums.begin()));
   }
 
   /// The candidate of line `other` whose spans are nearest in length to those of `candidate` on `line`.
@@ -80,23 +87,17 @@ public:
   }
 
 private:
-  /// Candidates up to `density` spans per unit, and one more.
+  /// Number of candidates with up to `density` spans per unit, at least 1.
   std::size_t candidatesUpTo(std::size_t line, double density) const {
     const double largest = density * length(lines_[line]) + degree;
-    const auto above = std::upper_bound(counts_.begin(), counts_.end(), largest + 1e-9);
-    return std::min(static_cast<std::size_t>(above - counts_.begin()) + 1, counts_.size());
-  }
-
-  void fill(std::size_t line, double density) {
-    // Neighbours of another length are matched to the nearest candidate: one more covers the rounding.
-    const std::size_t end = std::min(candidatesUpTo(line, density) + 1, counts_.size());
-    for (std::size_t c = 0; c < end; ++c) sums_[line].push_back(lines_[line].rss(counts_[c]));
+    const auto above = std::upper_bound(counts_.begin() + 1, counts_.end(), largest + 1e-9);
+    return static_cast<std::size_t>(above - counts_.begin());
   }
 
   const std::vector<LineMoments>& lines_;
   std::vector<int> counts_;
   std::vector<std::vector<double>> sums_;
-  std::vector<double> tried_;
+  std::vector<std::size_t> tried_;
 };
 
 /// What the lines of a pool have together at each candidate of the line in its middle.
@@ -147,9 +148,8 @@ std::vector<int> chooseControlPoints(const std::vector<LineMoments>& lines, cons
     const std::size_t candidates = table.tried(i);
     if (candidates == 0) continue;
     Pool pool(candidates);
-    for (std::size_t j = i - std::min(i, window); j < std::min(lines.size(), i + window + 1); ++j) {
-      pool.add(table, i, j, static_cast<double>(lines[j].samples()));
-    }
+    forPool(lines, i, window,
+            [&](std::size_t j) { pool.add(table, i, j, static_cast<double>(lines[j].samples())); });
     chosen[i] = table.counts()[pool.best(options.noise)];
   }
   return chosen;

@@ -177,8 +177,8 @@ int LineMoments::usefulControlPoints(double noise) const {
     }
   }
   // A smooth curve's best spline has about 1.6 times as many spans as its best piecewise cubic (from the two error
-  // constants and 1 against 4 parameters per span); halving finds the latter to within a factor of 1.4.
-  const std::size_t spans = std::min(4 * best_blocks, data_->levels[0].blocks.size());
+  // constants and 1 against 4 parameters per span), and halving finds the latter to within a factor of 1.4: 2.3.
+  const std::size_t spans = std::min(3 * best_blocks, data_->levels[0].blocks.size());
   return static_cast<int>(spans) + degree;
 }
 

@@ -128,6 +128,16 @@ TEST(ControlPointChoice, LinesWithoutAnAllowedCountGetNone) {
   EXPECT_TRUE(chooseControlPoints({}, {}).empty());
 }
 
+TEST(ControlPointChoice, AStubDoesNotChangeItsNeighbours) {
+  auto lines = test::sPartLines(2400, 10e-6, 8, test::sPartRows());
+  CurveFitOptions options;
+  options.window = 1;
+  const auto alone = chooseControlPoints(momentsOf({lines[20]}), options);
+  SampledLine stub = lines[21];
+  for (auto* array : {&stub.u, &stub.x, &stub.y, &stub.z}) array->resize(20);
+  EXPECT_EQ(chooseControlPoints(momentsOf({stub, lines[20], stub}), options)[1], alone[0]);
+}
+
 TEST(ControlPointChoice, StraightLinesGetFewControlPoints) {
   Random random(7);
   std::vector<SampledLine> lines(9);

@@ -26,7 +26,8 @@ struct CurveFitOptions {
 /// Number of control points for each line, minimising generalised cross-validation n RSS / (n - p)^2 or, with known
 /// noise, RSS + 2 noise^2 p (Mallows), both pooled over the line and its `window` neighbours on each side at the same
 /// knot spacing. 4, 5, 6 … are tried, then steps of at most 15 %, as far as any line of the window shows structure.
-/// A neighbour that does not allow all of the line's candidates is left out of its pool.
+/// A neighbour that does not allow all of the line's candidates, or is not half to twice as long, is left out of the
+/// pool.
 /// 0 for a line that allows none. The result does not depend on `threads`.
 std::vector<int> chooseControlPoints(const std::vector<LineMoments>& lines, const CurveFitOptions& options,
                                      int threads = 1);
