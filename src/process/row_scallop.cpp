@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
 
 namespace scan_to_path::process {
 namespace {
@@ -29,7 +33,7 @@ public:
     return centres_[at_] + share * (centres_[at_ + 1] - centres_[at_]);
   }
 
-  const Vector3& normalHere() const { return row_.points[at_].normal; }
+  const RowPoint& pointHere() const { return row_.points[at_]; }
 
   /// The nearest centre to p, searched from the place of the last atRising() as long as it gets nearer.
   Vector3 nearest(const Vector3& p) const {
@@ -72,10 +76,16 @@ double heightOver(const ScanSurface& surface, const Vector3& p) {
   return (p.z() - jet.z) / std::sqrt(1.0 + jet.zx * jet.zx + jet.zy * jet.zy);
 }
 
-double cuspHeight(CentreLine& a, CentreLine& b, double t, const ScanSurface& surface, double radius) {
+bool gouges(const RowPoint& p, const ScanSurface& surface, double radius) {
+  return toolpath::smallestCurvature(surface.jet(p.point.x(), p.point.y())) * radius <= -1.0;
+}
+
+/// Nothing where the ball does not fit into the surface: its centres run through each other there.
+std::optional<double> cuspHeight(CentreLine& a, CentreLine& b, double t, const ScanSurface& surface, double radius) {
   Vector3 centre_a = a.atRising(t);
   Vector3 centre_b = b.atRising(t);
-  const Vector3 normal = a.normalHere() + b.normalHere();
+  if (gouges(a.pointHere(), surface, radius) || gouges(b.pointHere(), surface, radius)) return std::nullopt;
+  const Vector3 normal = a.pointHere().normal + b.pointHere().normal;
   std::optional<Vector3> cusp;
   // The rows' cross-section at the cusp is not known before the cusp is: two corrections leave less than a nanometre.
   for (int i = 0; i < 3; ++i) {
@@ -97,8 +107,8 @@ std::optional<double> widestScallop(const Row& a, const Row& b, const ScanSurfac
   std::optional<double> widest;
   const auto look = [&](double t) {
     if (t < begin || t > end) return;
-    const double height = cuspHeight(line_a, line_b, t, surface, ball_radius);
-    widest = std::max(widest.value_or(height), height);
+    const auto height = cuspHeight(line_a, line_b, t, surface, ball_radius);
+    if (height) widest = std::max(widest.value_or(*height), *height);
   };
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     if (i > 0) look(0.5 * (a.points[i - 1].t + a.points[i].t));
@@ -117,6 +127,13 @@ std::optional<double> widestScallop(const std::vector<Row>& a, const std::vector
     }
   }
   return widest;
+}
+
+void checkThatBallsMeet(double scallop, int row, double ball_radius) {
+  if (std::isfinite(scallop)) return;
+  throw InputError("cutting: rows " + std::to_string(row - 1) + " and " + std::to_string(row) +
+                   " are so far apart that a ball of radius " + fixed(1e3 * ball_radius, 3) +
+                   " mm leaves a strip uncut between them");
 }
 
 }  // namespace scan_to_path::process

@@ -107,8 +107,9 @@ RowPlan planOf(const std::vector<Row>& pieces, const toolpath::ScanSurface& surf
     }
     if (!before.empty()) {
       plan.distances.push_back(std::abs(meanAcross(row) - meanAcross(before)));
-      plan.widest_scallop =
-          std::max(plan.widest_scallop, widestScallop(before, row, surface, ball_radius).value_or(0.0));
+      const double scallop = widestScallop(before, row, surface, ball_radius).value_or(0.0);
+      checkThatBallsMeet(scallop, begin->row, ball_radius);
+      plan.widest_scallop = std::max(plan.widest_scallop, scallop);
     }
     plan.rows.insert(plan.rows.end(), row.begin(), row.end());
     before = std::move(row);

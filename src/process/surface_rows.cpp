@@ -176,6 +176,16 @@ struct NextRow {
   double scallop = 0.0;
 };
 
+/// The row at s and what it leaves next to the one before.
+NextRow rowAt(const RowMaker& maker, const std::vector<Row>& before, double s, int number,
+              const CuttingOptions& options) {
+  NextRow next;
+  next.s = s;
+  next.rows = maker.rowsAt(s, number);
+  next.scallop = widestScallop(before, next.rows, maker.surface(), options.ball_radius).value_or(0.0);
+  return next;
+}
+
 /// The next row as far away as the scallop height allows, by trial: a scallop grows with the distance squared.
 NextRow nextByScallop(const RowMaker& maker, const std::vector<Row>& before, double s, double last, int number,
                       const CuttingOptions& options) {
@@ -185,13 +195,13 @@ NextRow nextByScallop(const RowMaker& maker, const std::vector<Row>& before, dou
   double too_far = std::numeric_limits<double>::infinity();
   NextRow next;
   for (int trial = 0; trial < most_trials; ++trial) {
-    const double place = std::min(s + step, last);
-    auto rows = maker.rowsAt(place, number);
-    const double scallop = widestScallop(before, rows, maker.surface(), options.ball_radius).value_or(aimed_share * h);
+    NextRow tried = rowAt(maker, before, std::min(s + step, last), number, options);
+    const double scallop = tried.scallop;
+    const bool is_enough = scallop >= least_share * h || scallop == 0.0 || tried.s >= last;
     if (scallop <= most_share * h) {
       allowed = step;
-      next = {place, std::move(rows), scallop};
-      if (scallop >= least_share * h || place >= last) return next;
+      next = std::move(tried);
+      if (is_enough) return next;
     } else {
       too_far = step;
     }
@@ -199,20 +209,9 @@ NextRow nextByScallop(const RowMaker& maker, const std::vector<Row>& before, dou
     step *= std::clamp(factor, 0.3, 2.0);
     if (step <= allowed || step >= too_far) step = std::isfinite(too_far) ? 0.5 * (allowed + too_far) : 2.0 * allowed;
   }
-  if (next.rows.empty()) {
-    throw InputError("cutting: no row distance leaves a scallop below " + std::to_string(1e3 * h) + " mm next to row " +
-                     std::to_string(number - 1));
-  }
-  return next;
-}
-
-NextRow nextByPitch(const RowMaker& maker, const std::vector<Row>& before, double s, double last, int number,
-                    const CuttingOptions& options) {
-  NextRow next;
-  next.s = std::min(s + options.pitch, last);
-  next.rows = maker.rowsAt(next.s, number);
-  next.scallop = widestScallop(before, next.rows, maker.surface(), options.ball_radius).value_or(0.0);
-  return next;
+  if (allowed > 0.0) return next;
+  // Only next to a gouge does no distance help; the rule, which leaves such places out, goes on from there.
+  return rowAt(maker, before, std::min(s + maker.ruleDistance(before), last), number, options);
 }
 
 }  // namespace
@@ -228,8 +227,9 @@ RowPlan surfaceRows(const scan::FittedScan& scan, const CuttingOptions& options,
   for (double s = first; s < last;) {
     progress.update("path", (s - first) / (last - first));
     ++number;
-    NextRow next = options.pitch > 0.0 ? nextByPitch(maker, before, s, last, number, options)
+    NextRow next = options.pitch > 0.0 ? rowAt(maker, before, std::min(s + options.pitch, last), number, options)
                                        : nextByScallop(maker, before, s, last, number, options);
+    checkThatBallsMeet(next.scallop, number, options.ball_radius);
     plan.distances.push_back(next.s - s);
     plan.widest_scallop = std::max(plan.widest_scallop, next.scallop);
     plan.rows.insert(plan.rows.end(), next.rows.begin(), next.rows.end());

@@ -11,12 +11,16 @@ namespace scan_to_path::process {
 
 /// Height over the surface of the cusp that a ball leaves between two neighbouring rows, at its highest: the cusp is r
 /// from both rows' lines of ball centres (straight between waypoints), found at `a`'s waypoints and between them.
-/// Nothing where the rows do not run side by side; infinite where the balls do not meet. O(points).
+/// Places where the ball gouges are left out. Nothing where the rows do not run side by side; infinite where the balls
+/// do not meet. O(points).
 std::optional<double> widestScallop(const Row& a, const Row& b, const toolpath::ScanSurface& surface,
                                     double ball_radius);
 
 /// The same for all pieces of two neighbouring rows.
 std::optional<double> widestScallop(const std::vector<Row>& a, const std::vector<Row>& b,
                                     const toolpath::ScanSurface& surface, double ball_radius);
+
+/// Throws InputError when a scallop is infinite: rows so far apart leave a strip uncut. `row` is the second one's.
+void checkThatBallsMeet(double scallop, int row, double ball_radius);
 
 }  // namespace scan_to_path::process
