@@ -107,8 +107,13 @@ private:
       return;
     }
     const std::size_t middle = begin + (end - begin) / 2;
-    search(node + 1, begin, middle, q, n, radius, limit, lowest);
-    search(rightNode(node, middle - begin), middle, end, q, n, radius, limit, lowest);
+    const std::size_t left = node + 1;
+    const std::size_t right = rightNode(node, middle - begin);
+    // The nearer half first: what it finds often spares the other one.
+    const bool is_left_first = boxes_[left].squaredExteriorDistance(q) <= boxes_[right].squaredExteriorDistance(q);
+    if (is_left_first) search(left, begin, middle, q, n, radius, limit, lowest);
+    search(right, middle, end, q, n, radius, limit, lowest);
+    if (!is_left_first) search(left, begin, middle, q, n, radius, limit, lowest);
   }
 
   const std::vector<Move>& moves_;

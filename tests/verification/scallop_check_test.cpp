@@ -38,7 +38,7 @@ std::vector<SurfacePoint> sPartPoints(double direction, double from_edge) {
   grid.T_surface_grid = geometry::makeFrame({0.12, 0.08, 0.1}, {0.0, 0.0, direction});
   grid.x_min = grid.y_min = -0.15;
   grid.x_max = grid.y_max = 0.15;
-  grid.spacing_x = 6.1e-3;
+  grid.spacing_x = 1.31e-2;
   grid.spacing_y = 1e-4;
   std::vector<SurfacePoint> points;
   for (const SurfacePoint& p : sampleSurface(geometry::SPart(), grid)) {
@@ -143,12 +143,12 @@ TEST(ScallopCheck, IsTheSameForAnyNumberOfThreadsAndWhereverThePartIs) {
 }
 
 TEST(ScallopCheck, OnTheSPartKeepsTheBarInAnyDirection) {
-  for (const double degrees : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0, 165.0}) {
+  for (const double degrees : {0.0, 20.0, 45.0, 70.0, 90.0, 110.0, 135.0, 160.0}) {
     const double direction = degrees * M_PI / 180.0;
     // Rows that end at a slanted edge leave more than h in the strip up to one pitch inside it.
     const double from_edge = degrees == 0.0 || degrees == 90.0 ? 6e-4 : 5e-3;
     const auto report = checkScallops(plannedSPart(direction), radius, sPartPoints(direction, from_edge), limit);
-    EXPECT_GT(report.points, 20000U);
+    EXPECT_GT(report.points, 10000U);
     EXPECT_EQ(report.uncut, 0U) << degrees;
     EXPECT_LE(report.highest, h) << degrees << " at " << report.highest_at.transpose();
     EXPECT_GE(report.highest, 0.85 * h) << degrees;
