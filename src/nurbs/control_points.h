@@ -15,7 +15,8 @@ namespace scan_to_path::nurbs {
 inline void validateControlPoints(const std::vector<geometry::Vector3>& points, const std::vector<double>& weights,
                                   const std::string& where) {
   if (!weights.empty() && weights.size() != points.size()) {
-    throw InputError(where, "number of weights", std::to_string(weights.size()), "0 or " + std::to_string(points.size()));
+    throw InputError(where, "number of weights", std::to_string(weights.size()),
+                     "0 or " + std::to_string(points.size()));
   }
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (!(weights[i] > 0.0) || !std::isfinite(weights[i])) {

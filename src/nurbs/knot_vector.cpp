@@ -150,7 +150,8 @@ void validateKnots(const std::vector<double>& knots, int degree, std::size_t con
     const std::string name = "knot " + std::to_string(i);
     if (!std::isfinite(knots[i])) throw InputError(where, name, std::to_string(knots[i]), "finite");
     if (i > 0 && knots[i] < knots[i - 1]) {
-      throw InputError(where, name, std::to_string(knots[i]), "at least the knot before, " + std::to_string(knots[i - 1]));
+      throw InputError(where, name, std::to_string(knots[i]),
+                       "at least the knot before, " + std::to_string(knots[i - 1]));
     }
     const bool inner = i > p && i < control_points;
     if (inner && knots[i] == knots[i - p]) {

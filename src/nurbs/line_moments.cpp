@@ -105,7 +105,8 @@ struct LineMoments::Data {
   static Level merged(const Level& fine) {
     Level coarse;
     coarse.blocks.reserve(fine.blocks.size() / 2);
-    for (int i = 0; i < static_cast<int>(fine.blocks.size()); i += 2) coarse.blocks.push_back(joined(fine, nullptr, i, i + 2));
+    const int blocks = static_cast<int>(fine.blocks.size());
+    for (int i = 0; i < blocks; i += 2) coarse.blocks.push_back(joined(fine, nullptr, i, i + 2));
     return coarse;
   }
 

@@ -145,7 +145,8 @@ void sandwich(const double* h, const CubicSpanMatrix& basis, Lanes result[4]) {
                  h[k + 2] * Lanes::load(basis[2].data()) + h[k + 3] * Lanes::load(basis[3].data());
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    result[i] = basis[0][i] * product[0] + basis[1][i] * product[1] + basis[2][i] * product[2] + basis[3][i] * product[3];
+    result[i] = basis[0][i] * product[0] + basis[1][i] * product[1] + basis[2][i] * product[2] +
+                basis[3][i] * product[3];
   }
 }
 
@@ -214,7 +215,8 @@ MomentGrid mergeV(const MomentGrid& grid, const std::vector<int>& ends) {
 }
 
 void addPatch(const BicubicMoments& patch, const CubicSpanMatrix& basis_u, const CubicSpanMatrix& basis_v,
-              std::size_t first, std::size_t stride_u, std::size_t stride_v, BandedMatrix& A, std::vector<double>& rhs) {
+              std::size_t first, std::size_t stride_u, std::size_t stride_v, BandedMatrix& A,
+              std::vector<double>& rhs) {
   Lanes in_u[7][4];  // [l][i]: sums of t^l times products of basis functions in u
   for (std::size_t l = 0; l < 7; ++l) {
     double powers[8];

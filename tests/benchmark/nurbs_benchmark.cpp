@@ -103,7 +103,9 @@ std::vector<Vector3> plainFit(const Problem& problem) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i - std::min<std::size_t>(i, 3); j <= i; ++j) {
       double sum = A[4 * i + j + 3 - i];
-      for (std::size_t k = i - std::min<std::size_t>(i, 3); k < j; ++k) sum -= A[4 * i + k + 3 - i] * A[4 * j + k + 3 - j];
+      for (std::size_t k = i - std::min<std::size_t>(i, 3); k < j; ++k) {
+        sum -= A[4 * i + k + 3 - i] * A[4 * j + k + 3 - j];
+      }
       A[4 * i + j + 3 - i] = j < i ? sum / A[4 * j + 3] : std::sqrt(sum);
       if (j < i) X[i] -= A[4 * i + j + 3 - i] * X[j];
     }

@@ -35,7 +35,9 @@ struct RandomProblem {
     addSample(random, knots.back());
   }
 
-  void addSample(Random& random, double u) { line.add(u, 3.0 + random.gaussian(), random.gaussian(), random.gaussian()); }
+  void addSample(Random& random, double u) {
+    line.add(u, 3.0 + random.gaussian(), random.gaussian(), random.gaussian());
+  }
 };
 
 double difference(const CurveFit& fit, const test::DenseSplineFit& oracle) {

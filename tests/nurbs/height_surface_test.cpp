@@ -24,7 +24,9 @@ Surface randomHeights(Random& random, int count_u, int count_v) {
   for (int i = 4; i < count_u; ++i) surface.knots_u[static_cast<std::size_t>(i)] += random.uniform(-spread, spread);
   if (count_v > 6) surface.knots_v[5] = surface.knots_v[6];  // a double knot: C1 there
   for (const double u : grevilleAbscissae(surface.knots_u, 3)) {
-    for (const double v : grevilleAbscissae(surface.knots_v, 3)) surface.control_points.emplace_back(u, v, random.gaussian());
+    for (const double v : grevilleAbscissae(surface.knots_v, 3)) {
+      surface.control_points.emplace_back(u, v, random.gaussian());
+    }
   }
   return surface;
 }

@@ -71,7 +71,8 @@ Eigen::VectorXd denseHeights(const std::vector<SampledLine>& lines, const Surfac
       basisFunctions(surface.knots_v, 3, span_v, line.y[s], basis_v);
       for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < 4; ++j) {
-          A(row, static_cast<Eigen::Index>((span_u - 3 + i) * surface.countV() + span_v - 3 + j)) = basis_u[i] * basis_v[j];
+          const std::size_t column = (span_u - 3 + i) * surface.countV() + span_v - 3 + j;
+          A(row, static_cast<Eigen::Index>(column)) = basis_u[i] * basis_v[j];
         }
       }
       w(row) = line.z[s];
@@ -87,7 +88,8 @@ std::vector<SampledLine> scatteredLines(Random& random, int rows, int samples) {
     for (int i = 0; i < samples; ++i) {
       const double x = 0.2 * random.uniform();
       const double y = 0.1 * (r + random.uniform()) / rows;
-      lines[static_cast<std::size_t>(r)].add(x, x, y, 0.5 + 0.01 * std::sin(40.0 * x + 20.0 * y) + 1e-4 * random.gaussian());
+      const double height = 0.5 + 0.01 * std::sin(40.0 * x + 20.0 * y);
+      lines[static_cast<std::size_t>(r)].add(x, x, y, height + 1e-4 * random.gaussian());
     }
   }
   return lines;

@@ -18,7 +18,9 @@ public:
   std::size_t bandwidth() const { return bandwidth_; }
 
   /// Element (row, column). Precondition: row - bandwidth <= column <= row.
-  double& at(std::size_t row, std::size_t column) { return elements_[row * (bandwidth_ + 1) + column + bandwidth_ - row]; }
+  double& at(std::size_t row, std::size_t column) {
+    return elements_[row * (bandwidth_ + 1) + column + bandwidth_ - row];
+  }
   double at(std::size_t row, std::size_t column) const {
     return elements_[row * (bandwidth_ + 1) + column + bandwidth_ - row];
   }

@@ -17,8 +17,8 @@ struct CurveFitOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.window, Field{"window", "lines", "neighbours on each side that choose the knot spacing together", 0, 1000});
-    visit(self.noise, Field{"noise", "m", "known sensor noise (standard deviation); 0: unknown, by cross-validation", 0, 1});
+    visit(self.window, Field{"window", "lines", "neighbours on each side that choose knot spacing jointly", 0, 1000});
+    visit(self.noise, Field{"noise", "m", "known sensor noise, standard deviation; 0: by cross-validation", 0, 1});
     visit(self.max_control_points, Field{"max_control_points", "", "upper limit per line", 4, 100000});
   }
 };

@@ -60,7 +60,9 @@ private:
   };
   using Patch = std::array<double, 16>;  ///< coefficient of s^k t^l at [4 k + l]
 
-  const Patch& patch(std::size_t span_u, std::size_t span_v) const { return patches_[span_u * v_.spans.size() + span_v]; }
+  const Patch& patch(std::size_t span_u, std::size_t span_v) const {
+    return patches_[span_u * v_.spans.size() + span_v];
+  }
 
   Axis u_;
   Axis v_;

@@ -24,7 +24,7 @@ struct SurfaceFitOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.noise, Field{"noise", "m", "known sensor noise (standard deviation); 0: unknown, by cross-validation", 0, 1});
+    visit(self.noise, Field{"noise", "m", "known sensor noise, standard deviation; 0: by cross-validation", 0, 1});
     visit(self.max_control_points, Field{"max_control_points", "", "upper limit along each direction", 4, 64});
   }
 };
