@@ -65,6 +65,9 @@ public:
   }
 
   std::vector<Discrepancy> run() {
+    for (const auto& point : input_.plan.trajectory.points) {
+      if (input_.robot.dof() != 6 || point.q.size() != 6) return {{-1, -1, "the plan is not for six axes"}};
+    }
     const auto expected = expectedMoves(input_);
     const auto& moves = program_.moves;
     if (moves.size() != expected.size() + 1) {

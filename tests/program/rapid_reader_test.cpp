@@ -37,12 +37,12 @@ TEST(RapidReader, UnderstandsAProgrammersModule) {
     bool process_on;
     int line;
   } expected[] = {
-      {RapidMoveType::absolute_joint, {0, 0, 0}, 500, 0, false, 27},
-      {RapidMoveType::joint, {485, 315, 390}, 200, 10, false, 29},    // A + (5, -5, 10): (-(-5), 5, 10) in the base
-      {RapidMoveType::linear, {480, 310, 380}, 12.5, 0, false, 41},   // A
-      {RapidMoveType::linear, {480, 460, 380}, 12.5, 0.3, true, 46},  // B: 250 along base y
-      {RapidMoveType::linear, {485, 460, 380}, 12.5, 0, true, 47},    // B - 5 along the object's y
-      {RapidMoveType::linear, {480, 460, 410}, 35, 0, false, 35},     // B back along the tool's z, which points down
+      {RapidMoveType::absolute_joint, {0, 0, 0}, 500, 0, false, 22},
+      {RapidMoveType::joint, {485, 315, 390}, 200, 10, false, 24},    // A + (5, -5, 10): (-(-5), 5, 10) in the base
+      {RapidMoveType::linear, {480, 310, 380}, 12.5, 0, false, 36},   // A
+      {RapidMoveType::linear, {480, 460, 380}, 12.5, 0.3, true, 41},  // B: 250 along base y
+      {RapidMoveType::linear, {485, 460, 380}, 12.5, 0, true, 42},    // B - 5 along the object's y
+      {RapidMoveType::linear, {480, 460, 410}, 35, 0, false, 30},     // B back along the tool's z, which points down
   };
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     const auto& move = program.moves[i];

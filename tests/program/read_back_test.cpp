@@ -158,6 +158,13 @@ TEST(ReadBack, NoticesAxisThreeOutOfTheControllersRange) {
   EXPECT_THAT(textsOf(input, written(input)), HasSubstr("axis 3 would stand at"));
 }
 
+TEST(ReadBack, PlansForOtherArmsAreNotCompared) {
+  auto input = seededInput(3);
+  const auto files = written(input);
+  input.plan.trajectory.points[4].q.conservativeResize(5);
+  EXPECT_THAT(textsOf(input, files), HasSubstr("not for six axes"));
+}
+
 TEST(ReadBack, ListsAtMostTheLimit) {
   auto input = seededInput(3);
   const auto files = written(input);
