@@ -6,6 +6,7 @@
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/robot/robot.h"
 #include "support/irb2400.h"
+#include "support/urdfdom_leaks.h"
 
 namespace scan_to_path::robot {
 namespace {
