@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "median.h"
+
 namespace scan_to_path::sensing {
 namespace {
 
@@ -16,12 +18,6 @@ struct Look {
   SensorPose pose;
   double velocity;  // along the rows, to the next look [m/s]
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<Look> lookAround(const scan::SampleLog& log, const SensorMotion& motion, double clock_offset,
                              std::size_t looks) {

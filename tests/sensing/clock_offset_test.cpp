@@ -148,7 +148,7 @@ TEST(ClockOffset, BadInputIsNamed) {
   test::expectInputError(estimate, "clock offset.cell is 0 m, must be in");
   options = {};
   options.max_rows = 1;
-  test::expectInputError(estimate, "clock offset.max_rows is 1, must be in [4, 100000]");
+  test::expectInputError(estimate, "clock offset.max_rows is 1, must be in [8, 100000]");
 }
 
 }  // namespace
