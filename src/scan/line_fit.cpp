@@ -20,6 +20,7 @@ struct Segment {
   const RowPiece* piece = nullptr;
   std::size_t begin = 0;
   std::size_t end = 0;
+  bool goes_on = false;   ///< the one before it ends at a gap that may still turn out to be bridged
   std::vector<double> u;  ///< parameters; empty when they are the piece's x
   std::optional<nurbs::LineMoments> moments;
 
@@ -56,9 +57,9 @@ void prepare(Segment& segment, Parameterization parameterization) {
   segment.moments.emplace(segment.view());
 }
 
-/// Segments long enough to fit; the others' samples are counted.
+/// Adds a segment long enough to fit; another one's samples are counted.
 void addSegment(const RowPiece& piece, std::size_t begin, std::size_t end, std::vector<Segment>& segments,
-                std::size_t& too_short) {
+                std::size_t& too_short, bool goes_on = false) {
   if (end < begin + least_samples || !(piece.x[end - 1] > piece.x[begin])) {
     too_short += end - begin;
     return;
@@ -67,6 +68,7 @@ void addSegment(const RowPiece& piece, std::size_t begin, std::size_t end, std::
   segments.back().piece = &piece;
   segments.back().begin = begin;
   segments.back().end = end;
+  segments.back().goes_on = goes_on;
 }
 
 std::vector<Segment> splitAtCorners(const SampleRows& rows, const LineFitOptions& options, int threads,
@@ -87,6 +89,25 @@ std::vector<Segment> splitAtCorners(const SampleRows& rows, const LineFitOptions
   return segments;
 }
 
+double distance(const RowPiece& piece, std::size_t a, std::size_t b) {
+  return std::hypot(piece.x[b] - piece.x[a], piece.y[b] - piece.y[a], piece.z[b] - piece.z[a]);
+}
+
+/// Splits at every gap that a fine knot span might not bridge: with the gap inside, spans could not get shorter.
+std::vector<Segment> splitAtWideGaps(const std::vector<Segment>& segments, double wide, std::size_t& too_short) {
+  std::vector<Segment> result;
+  for (const Segment& segment : segments) {
+    std::size_t begin = segment.begin;
+    for (std::size_t i = begin + least_samples; i + least_samples <= segment.end; ++i) {
+      if (i < begin + least_samples || segment.piece->x[i] - segment.piece->x[i - 1] <= wide) continue;
+      addSegment(*segment.piece, begin, i, result, too_short, begin != segment.begin);
+      begin = i;
+    }
+    addSegment(*segment.piece, begin, segment.end, result, too_short, begin != segment.begin);
+  }
+  return result;
+}
+
 void prepareAll(std::vector<Segment>& segments, Parameterization parameterization, int threads) {
   parallelFor(segments.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -104,6 +125,32 @@ std::vector<int> chooseCounts(const std::vector<Segment>& segments, const nurbs:
 
 double knotSpan(const Segment& segment, int control_points) {
   return (segment.moments->last() - segment.moments->first()) / (control_points - 3);
+}
+
+/// Joins segments again where the gap between them is not longer than their knot spans. Returns whether any were.
+bool joinAcrossGaps(std::vector<Segment>& segments, const std::vector<int>& counts) {
+  std::vector<Segment> result;
+  double span_before = 0.0;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    Segment& segment = segments[k];
+    const double span = counts[k] > 0 ? knotSpan(segment, counts[k]) : 1e300;
+    const bool adjoins = segment.goes_on && !result.empty() && result.back().piece == segment.piece &&
+                         result.back().end == segment.begin;
+    if (adjoins && distance(*segment.piece, segment.begin - 1, segment.begin) <= std::min(span, span_before)) {
+      Segment joined;
+      joined.piece = segment.piece;
+      joined.begin = result.back().begin;
+      joined.end = segment.end;
+      joined.goes_on = result.back().goes_on;
+      result.back() = std::move(joined);
+    } else {
+      result.push_back(std::move(segment));
+    }
+    span_before = span;
+  }
+  const bool changed = result.size() != counts.size();
+  segments = std::move(result);
+  return changed;
 }
 
 /// Splits the segments with a gap longer than a knot span, and drops those that allow no fit at all.
@@ -173,12 +220,14 @@ FittedLine fitSegment(const Segment& segment, int control_points, const Frame& T
 FittedLines fitLines(const SampleRows& rows, const LineFitOptions& options, int threads) {
   validate(options, "fit");
   std::size_t too_short = 0;
-  std::vector<Segment> segments = splitAtCorners(rows, options, threads, too_short);
+  constexpr double wide_gap = 5.0;  // spacings
+  std::vector<Segment> segments = splitAtWideGaps(splitAtCorners(rows, options, threads, too_short),
+                                                  wide_gap * rows.spacing, too_short);
   std::vector<int> counts;
-  do {  // ends: every round splits or drops a segment
+  do {  // ends: what is joined was split before, what splits in the end stays so
     prepareAll(segments, options.parameterization, threads);
     counts = chooseCounts(segments, options.control_points, threads);
-  } while (splitAtGaps(segments, counts, too_short));
+  } while (joinAcrossGaps(segments, counts) || splitAtGaps(segments, counts, too_short));
   if (segments.empty()) {
     throw InputError("scan rows", "number of samples on the longest smooth stretch", "too small",
                      "at least " + std::to_string(least_samples));

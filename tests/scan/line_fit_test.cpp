@@ -147,6 +147,14 @@ TEST(LineFit, RoundsAndNoiseAreNoCorners) {
   }
 }
 
+TEST(LineFit, AGapLongerThanAKnotSpanSplits) {
+  SampleRows rows = rowsOf([](double x) { return 0.0001 * std::sin(1500.0 * x); });  // needs spans below a millimetre
+  cutOut(rows, 0.05, 0.0518);
+  const FittedLines fitted = fitLines(rows, {});
+  EXPECT_EQ(fitted.lines.size(), 10u);
+  EXPECT_FALSE(fitted.lines[0].ends_at_edge);
+}
+
 TEST(LineFit, AShortDropOutDoesNotMoveTheLine) {
   SampleRows rows = rowsOf(wave);
   cutOut(rows, 0.05, 0.0505);
