@@ -43,7 +43,8 @@ struct ClockOffsetEstimate {
 /// the sum of the rows' v times slope: that is solved for dt by robust least squares (Tukey's biweight), and repeated
 /// with samples placed anew until dt is below 1 us. Nothing but the log goes in. `placement.clock_offset` is where the
 /// search starts. Rows in one direction only, no slopes, or too few rows are told as data, not as errors.
-/// Throws what placeSamples throws for a log that does not fit the robot. About 40 ms for any length of log.
+/// Throws what placeSamples throws for a log that does not fit the robot. About 30 ms, and 10 ms more for
+/// every million samples.
 ClockOffsetEstimate estimateClockOffset(const scan::SampleLog& log, const robot::Robot& robot,
                                         const robot::Encoders& encoders, const PointLaserOptions& laser,
                                         const Frame& T_tip_sensor, const PlacementOptions& placement = {},

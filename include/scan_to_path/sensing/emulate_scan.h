@@ -56,7 +56,7 @@ struct EmulatedScan {
 /// by inverse kinematics, true sensor pose by forward kinematics plus drift, ray cast, voltage, counts. Times lie on
 /// a 1 us grid and begin at 0. Nothing of the truth leaves this function but the log. The same bytes with any number
 /// of threads. Throws InputError for options out of range, naming the option, and for a raster the robot cannot
-/// follow, naming row, pose and joint. A million samples of the S part take about 3 s.
+/// follow, naming row, pose and joint. A million samples of the S part take about 1 s.
 EmulatedScan emulateScan(const geometry::Surface& scene, const Eigen::AlignedBox2d& rectangle,
                          const Frame& T_base_workpiece, const robot::Robot& robot, const robot::Encoders& encoders,
                          const PointLaserOptions& laser, const Frame& T_tip_sensor, const EmulationOptions& options,
