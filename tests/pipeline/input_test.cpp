@@ -19,7 +19,7 @@ TEST(Input, IsDetectedByContent) {
   EXPECT_EQ(kind("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 1\n"
                  "property list uchar int vertex_indices\nend_header\n0\n3 0 0 0\n"),
             InputKind::mesh);
-  EXPECT_EQ(kind("solid part\n"), InputKind::mesh);
+  EXPECT_EQ(kind("solid part\nendsolid part\n"), InputKind::mesh);
   EXPECT_EQ(kind(std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0')), InputKind::mesh);
   EXPECT_EQ(kind("OFF\n3 1 0\n"), InputKind::mesh);
   EXPECT_EQ(kind("# Blender\n\no part\nv 0 0 0\n"), InputKind::mesh);
