@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 #include "support/irb2400.h"
 
@@ -93,7 +93,7 @@ TEST(InverseKinematics, SolvesInAndNearTheWristSingularity) {
 TEST(InverseKinematics, OutOfReachIsNothingAndQuick) {
   const Robot robot = irb2400();
   const InverseKinematics inverse(robot);
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // processor time: other processes do not count
   int tried = 0;
   for (const double distance : {1.75, 1.8, 2.0, 2.3, 5.0, 1e6}) {
     for (const double height : {0.0, 0.6, 2.0}) {
@@ -104,8 +104,8 @@ TEST(InverseKinematics, OutOfReachIsNothingAndQuick) {
       ++tried;
     }
   }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(elapsed.count() / tried, 0.5);  // 0.01 s in Release; room for sanitizers and a busy machine
+  const double elapsed = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  EXPECT_LT(elapsed / tried, 0.5);  // 0.01 s in Release; room for sanitizers
 }
 
 TEST(InverseKinematics, PosesThatAreNotFiniteHaveNoSolution) {
@@ -206,10 +206,16 @@ double completeShare(const Robot& robot, int poses, const std::function<std::vec
   return static_cast<double>(complete) / poses;
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr int compared_poses = 100;  // fifty times slower there
+#else
+constexpr int compared_poses = 1000;
+#endif
+
 TEST(AllConfigurations, AreAllThatTheClosedFormHas) {
   const Robot robot = irb2400();
   const InverseKinematics inverse(robot);
-  EXPECT_GE(completeShare(robot, 1000, [&](const Frame& T) { return inverse.allConfigurations(T); }), 0.99);
+  EXPECT_GE(completeShare(robot, compared_poses, [&](const Frame& T) { return inverse.allConfigurations(T); }), 0.99);
 }
 
 TEST(AllConfigurations, CompletenessCheckSeesALostConfiguration) {
