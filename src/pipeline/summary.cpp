@@ -21,10 +21,11 @@ const Accuracy* find(const Report& report, const std::string& name) {
 
 /// A figure in the unit in which people speak of it.
 std::string shown(double value, const std::string& unit) {
+  if (unit == "m" && std::abs(value) < 1e-8) return fixed(1e9 * value, 2) + " nm";
   if (unit == "m" && std::abs(value) < 1e-4) return fixed(1e6 * value, 2) + " um";
   if (unit == "m" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " mm";
   if (unit == "m") return fixed(value, 3) + " m";
-  if (unit == "rad") return fixed(value * 180.0 / M_PI, 5) + " deg";
+  if (unit == "rad") return fixed(value * 180.0 / M_PI, std::abs(value) < 1e-6 ? 9 : 5) + " deg";
   if (unit == "s" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " ms";
   if (unit == "s") return fixed(value, 1) + " s";
   return fixed(value, value == std::floor(value) ? 0 : 4);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <kdl/chainfksolverpos_recursive.hpp>
 #include <string>
 #include <vector>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/robot/kdl_chain.h"
 
 namespace scan_to_path::verification {
 namespace {
@@ -70,7 +72,12 @@ void raise(double value, const WaypointIndex& at, double& largest, WaypointIndex
 class Player {
 public:
   Player(const robot::Robot& robot, const Frame& T_tip_tcp, Targets targets)
-      : robot_(robot), T_tip_tcp_(T_tip_tcp), targets_(std::move(targets)) {}
+      : dof_(robot.dof()),
+        chain_(robot::kdlChain(robot)),
+        forward_(chain_),
+        angles_(static_cast<unsigned>(robot.dof())),
+        T_tip_tcp_(T_tip_tcp),
+        targets_(std::move(targets)) {}
 
   PlaybackReport play(const std::vector<TrajectoryPoint>& points, int between) {
     std::size_t reached_before = targets_.all.size();
@@ -99,13 +106,19 @@ private:
   }
 
   void checkJoints(const TrajectoryPoint& point, std::size_t k) const {
-    if (point.q.size() != robot_.dof()) {
-      fail(k, "has " + std::to_string(point.q.size()) + " joints, the robot has " + std::to_string(robot_.dof()));
+    if (point.q.size() != dof_) {
+      fail(k, "has " + std::to_string(point.q.size()) + " joints, the robot has " + std::to_string(dof_));
     }
     if (!point.q.allFinite()) fail(k, "has a joint angle that is not finite");
   }
 
-  Frame tcp(const robot::JointVector& q) const { return robot::forwardKinematics(robot_, q) * T_tip_tcp_; }
+  /// KDL's forward kinematics: the solver's own must not be its witness.
+  Frame tcp(const robot::JointVector& q) {
+    angles_.data = q;
+    KDL::Frame T_base_tip;
+    forward_.JntToCart(angles_, T_base_tip);
+    return robot::fromKdl(T_base_tip) * T_tip_tcp_;
+  }
 
   void compareWaypoint(const robot::JointVector& q, const Target& target) {
     const Frame T_base_tcp = tcp(q);
@@ -134,7 +147,10 @@ private:
     }
   }
 
-  const robot::Robot& robot_;
+  int dof_;
+  KDL::Chain chain_;  // the solver keeps a reference to it
+  KDL::ChainFkSolverPos_recursive forward_;
+  KDL::JntArray angles_;
   const Frame& T_tip_tcp_;
   Targets targets_;
   PlaybackReport report_;

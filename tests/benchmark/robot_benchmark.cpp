@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
-#include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <kdl/chainiksolverpos_nr_jl.hpp>
 #include <kdl/chainiksolvervel_pinv.hpp>
 
 #include "scan_to_path/robot/inverse_kinematics.h"
+#include "scan_to_path/robot/kdl_chain.h"
 #include "support/irb2400.h"
 
 namespace {
@@ -16,26 +16,8 @@ namespace {
 using namespace scan_to_path;
 using geometry::Frame;
 using robot::JointVector;
-
-KDL::Frame toKdl(const Frame& T) {
-  const Eigen::Matrix3d R = T.linear();
-  return {KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-          KDL::Vector(T.translation().x(), T.translation().y(), T.translation().z())};
-}
-
-/// The arm as kdl_parser builds it: one segment per joint.
-KDL::Chain kdlChain(const robot::Robot& robot) {
-  KDL::Chain chain;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const robot::Joint& joint = robot.joints[i];
-    const KDL::Frame T = toKdl(joint.T_parent_joint);
-    const KDL::Vector axis(joint.axis.x(), joint.axis.y(), joint.axis.z());
-    const bool is_last = i + 1 == robot.joints.size();
-    chain.addSegment(
-        KDL::Segment(KDL::Joint(T.p, T.M * axis, KDL::Joint::RotAxis), is_last ? T * toKdl(robot.T_last_tip) : T));
-  }
-  return chain;
-}
+using robot::kdlChain;
+using robot::toKdl;
 
 /// Poses along an S-like raster row, 1 mm apart, tool down, and random poses within the joint limits.
 struct Work {

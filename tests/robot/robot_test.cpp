@@ -9,6 +9,7 @@
 #include <kdl/chainfksolverpos_recursive.hpp>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/robot/kdl_chain.h"
 #include "support/irb2400.h"
 
 namespace scan_to_path::robot {
@@ -67,13 +68,7 @@ Robot obliqueRobot(Random& random) {
   return robot;
 }
 
-KDL::Frame toKdl(const Frame& T) {
-  const Eigen::Matrix3d R = T.linear();
-  return {KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-          KDL::Vector(T.translation().x(), T.translation().y(), T.translation().z())};
-}
-
-/// Two KDL segments per joint, a fixed and a movable one: not the way the solver builds its chain.
+/// Two KDL segments per joint, a fixed and a movable one: not the way kdlChain builds it.
 KDL::Frame kdlForwardKinematics(const Robot& robot, const JointVector& q) {
   KDL::Chain chain;
   for (const Joint& joint : robot.joints) {

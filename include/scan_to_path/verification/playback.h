@@ -25,7 +25,7 @@ struct PlaybackReport {
 };
 
 /// Plays the trajectory back with joint-linear moves between its points, `between` places looked at on each, through
-/// robot::forwardKinematics, which shares no code with the solver of the inverse. A waypoint is the last trajectory
+/// KDL's forward kinematics, which shares no code with the solver of the inverse. A waypoint is the last trajectory
 /// point of its segment and index; those before it are on the move to it. `T_tip_tcp` is the tool's mount,
 /// `T_base_path` maps the path's frame into the robot's base.
 /// Throws InputError for a trajectory point that names no waypoint, is out of order or has the wrong number of joints.
