@@ -10,10 +10,10 @@
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/common/version.h"
 #include "scan_to_path/motion/trajectory.h"
+#include "scan_to_path/pipeline/reference_stage.h"
 #include "scan_to_path/pipeline/stages.h"
 #include "scan_to_path/pipeline/summary.h"
 #include "scan_to_path/pipeline/timing.h"
-#include "scan_to_path/verification/path_deviation.h"
 
 namespace scan_to_path::pipeline {
 namespace {
@@ -90,17 +90,9 @@ private:
     verdicts_ = path_.planned.findings;
     take(path_.report, path_.accuracy);
     files_["path.csv"] = toolpath::formatToolPath(path_.planned.path);
-    if (request_.reference) compareWithReference();
-  }
-
-  void compareWithReference() {
-    const auto deviation = verification::measureDeviation(path_.planned.path, *request_.reference);
-    const std::vector<Accuracy> figures = {{"reference_path_rms", deviation.rms, "m"},
-                                           {"reference_path_mean", deviation.mean, "m"},
-                                           {"reference_path_largest", deviation.largest, "m"},
-                                           {"reference_normal_mean", deviation.normal_mean, "rad"},
-                                           {"reference_normal_largest", deviation.normal_largest, "rad"},
-                                           {"reference_contacts", static_cast<double>(deviation.contacts), "1"}};
+    if (!request_.reference) return;
+    const auto figures =
+        compareWithReference(path_.planned.path, fit_.scan, options_.path, *request_.reference, request_.threads);
     report_.accuracy.insert(report_.accuracy.end(), figures.begin(), figures.end());
     timing_.mark("reference");
   }

@@ -95,7 +95,8 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
   add(lines, "reference", figures(report, {{"reference_path_rms", "path off it RMS"},
                                            {"reference_path_largest", "max"},
                                            {"reference_normal_mean", "normals mean"},
-                                           {"reference_normal_largest", "max"}}));
+                                           {"reference_normal_largest", "max"},
+                                           {"reference_scallop_largest", "scallop max"}}));
   add(lines, "motion", figures(report, {{"duration", "takes"},
                                         {"playback_position", "played back within"},
                                         {"playback_angle", ""},

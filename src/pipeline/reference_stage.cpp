@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/reference_stage.h"
+
+#include <algorithm>
+
+#include "scan_to_path/scan/outline.h"
+#include "scan_to_path/verification/path_deviation.h"
+#include "scan_to_path/verification/scallop_check.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+using geometry::Frame;
+using geometry::Vector3;
+
+constexpr double along = 2e-3;        // [m] between looks along the rows
+constexpr double across = 1e-4;       // [m] across them: a cusp falls by a tenth of what a look misses it by
+constexpr double above = 1.0;         // [m] over the scan's origin, where the looks start
+constexpr double highest_cusp = 1e-3;  // [m]; more counts as uncut
+
+/// A grid over the outline, its x axis along the rows.
+verification::SampleGrid gridOver(const scan::FittedScan& scan, double direction) {
+  const Eigen::Rotation2Dd to_rows(-direction);
+  Eigen::AlignedBox2d extent;
+  for (const auto& polygon : scan.outline.polygons) {
+    for (const auto& corner : polygon) extent.extend(to_rows * corner);
+  }
+  verification::SampleGrid grid;
+  grid.T_surface_grid = scan.T_cloud_scan * geometry::makeFrame(Vector3(0.0, 0.0, above), Vector3(0.0, 0.0, direction));
+  grid.x_min = extent.min().x();
+  grid.x_max = extent.max().x();
+  grid.y_min = extent.min().y();
+  grid.y_max = extent.max().y();
+  grid.spacing_x = along;
+  grid.spacing_y = across;
+  return grid;
+}
+
+/// Whether a place lies on the part and no nearer to its edge than the rows do, which leave the margin as it is.
+bool isMachined(const scan::OutlineTest& part, const Vector3& p, double margin) {
+  return part.inside(p.x() - margin, p.y()) && part.inside(p.x() + margin, p.y()) &&
+         part.inside(p.x(), p.y() - margin) && part.inside(p.x(), p.y() + margin);
+}
+
+/// The reference's points over the machined part.
+std::vector<geometry::SurfacePoint> machinedPoints(const scan::FittedScan& scan, double direction, double edge_margin,
+                                                   const geometry::Surface& reference) {
+  auto points = verification::sampleSurface(reference, gridOver(scan, direction));
+  const scan::OutlineTest part(scan.outline);
+  const Frame T_scan_cloud = scan.T_cloud_scan.inverse();
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const auto& point) {
+                                return !isMachined(part, T_scan_cloud * point.point, edge_margin);
+                              }),
+               points.end());
+  return points;
+}
+
+}  // namespace
+
+std::vector<Accuracy> compareWithReference(const toolpath::ToolPath& path, const scan::FittedScan& scan,
+                                           const process::CuttingOptions& options, const geometry::Surface& reference,
+                                           int threads) {
+  const auto deviation = verification::measureDeviation(path, reference);
+  std::vector<Accuracy> figures = {{"reference_path_rms", deviation.rms, "m"},
+                                   {"reference_path_mean", deviation.mean, "m"},
+                                   {"reference_path_largest", deviation.largest, "m"},
+                                   {"reference_normal_mean", deviation.normal_mean, "rad"},
+                                   {"reference_normal_largest", deviation.normal_largest, "rad"},
+                                   {"reference_contacts", static_cast<double>(deviation.contacts), "1"}};
+  const double direction = options.row_source == process::RowSource::surface ? options.direction : 0.0;
+  const auto points = machinedPoints(scan, direction, options.edge_margin, reference);
+  if (points.empty()) return figures;
+  const auto scallop = verification::checkScallops(path, options.ball_radius, points, highest_cusp, threads);
+  figures.push_back({"reference_scallop_largest", scallop.highest, "m"});
+  figures.push_back({"reference_scallop_mean", scallop.mean, "m"});
+  figures.push_back({"reference_deepest_cut", scallop.deepest_cut, "m"});
+  figures.push_back({"reference_uncut_share",
+                     static_cast<double>(scallop.uncut) / static_cast<double>(scallop.points), "1"});
+  return figures;
+}
+
+}  // namespace scan_to_path::pipeline

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/reference_stage.h"
+
+#include <gtest/gtest.h>
+
+#include "scan_to_path/geometry/scene.h"
+#include "scan_to_path/pipeline/stages.h"
+#include "small_scan.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+double figure(const std::vector<Accuracy>& figures, const std::string& name) {
+  for (const auto& candidate : figures) {
+    if (candidate.name == name) return candidate.value;
+  }
+  throw std::runtime_error("no figure " + name);
+}
+
+class ReferenceStage : public ::testing::Test {
+protected:
+  void SetUp() override {
+    const Cell cell = makeCell(CellOptions(), source_package);
+    scan_ = fitStage(scanFromSamples(smallScan(), cell, {}, 1, {}), {}, {}, {}, 1, {}).scan;
+    reference_ = std::make_shared<geometry::PosedSurface>(std::make_shared<geometry::Saddle>(smallPart()),
+                                                          cell.T_base_workpiece);
+  }
+  toolpath::ToolPath planned(const JobOptions& options) const {
+    return pathStage("cutting", scan_, "base_link", options, {}).planned.path;
+  }
+
+  scan::FittedScan scan_;
+  std::shared_ptr<geometry::PosedSurface> reference_;
+};
+
+TEST_F(ReferenceStage, MeasuresPathNormalsAndScallops) {
+  const JobOptions options;
+  const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, 1);
+  // 2 um of noise over 1,200 samples and about ten control points a row.
+  EXPECT_LT(figure(figures, "reference_path_rms"), 1e-6);
+  EXPECT_LT(figure(figures, "reference_normal_mean"), 0.02 * M_PI / 180.0);
+  // The planner's promise, plus the path's own error of less than 1 um.
+  EXPECT_LE(figure(figures, "reference_scallop_largest"), options.path.scallop_height + 1e-6);
+  EXPECT_GE(figure(figures, "reference_scallop_largest"), 0.85 * options.path.scallop_height);
+  EXPECT_LT(figure(figures, "reference_deepest_cut"), 5e-6);
+}
+
+TEST_F(ReferenceStage, SeesADroppedRow) {
+  const JobOptions options;
+  auto path = planned(options);
+  for (auto& segment : path.segments) {
+    if (segment.name == "row_7") {
+      for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
+    }
+  }
+  const auto figures = compareWithReference(path, scan_, options.path, *reference_, 1);
+  EXPECT_GT(figure(figures, "reference_scallop_largest"), 3.0 * options.path.scallop_height);
+}
+
+TEST_F(ReferenceStage, SameForAnyNumberOfThreads) {
+  const JobOptions options;
+  const auto path = planned(options);
+  const auto one = compareWithReference(path, scan_, options.path, *reference_, 1);
+  const auto three = compareWithReference(path, scan_, options.path, *reference_, 3);
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].value, three[i].value) << one[i].name;
+}
+
+}  // namespace
+}  // namespace scan_to_path::pipeline
