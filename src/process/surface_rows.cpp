@@ -22,6 +22,7 @@ using toolpath::ScanSurface;
 
 constexpr double shortest_row = 1e-4;      // [m]; shorter stretches hold no contact worth a link
 constexpr double edge_accuracy = 1e-7;     // [m] to which the first and last row are brought to the edge
+constexpr double edge_wobble = 1e-4;       // [m]; the outline is measured: a row nearer to it may be in and out of it
 constexpr double least_share = 0.93;       // of the scallop height that a step uses, but for the last one, …
 constexpr double aimed_share = 0.97;       // … that it aims at …
 constexpr double most_share = 0.995;       // … and that it may reach, for what lies between the places looked at
@@ -58,7 +59,8 @@ public:
       const double middle = 0.5 * (bare + found);
       (hasRow(middle) ? found : bare) = middle;
     }
-    return found;
+    const double settled = found + sign * edge_wobble;
+    return coveredAt(settled) > 1.01 * coveredAt(found) ? settled : found;
   }
 
   std::vector<Row> rowsAt(double s, int number) const {
@@ -97,6 +99,13 @@ private:
     const auto intervals = clip_.inside(s);
     return std::any_of(intervals.begin(), intervals.end(),
                        [](const Interval& i) { return i.end - i.begin >= shortest_row; });
+  }
+
+  /// Length of the rows at s, seen from above [m].
+  double coveredAt(double s) const {
+    double length = 0.0;
+    for (const Interval& interval : clip_.inside(s)) length += interval.end - interval.begin;
+    return length;
   }
 
   RowPoint pointAt(double t, double s) const {

@@ -46,6 +46,17 @@ TEST(SurfaceRows, ReachFromEdgeToEdgeLessTheMargin) {
   }
 }
 
+TEST(SurfaceRows, DoNotBreakUpAlongAMeasuredEdge) {
+  // An edge that is 6 um off straight, as drift makes it: a row right at it would be half as long.
+  auto scan = plane();
+  scan.outline.polygons = {{{0.0, 0.0}, {0.05, -3e-6}, {0.05, 3e-6}, {0.1, 3e-6}, {0.1, 0.06}, {0.0, 0.06}}};
+  const CuttingOptions options;
+  const RowPlan plan = surfaceRows(scan, options);
+  EXPECT_LT(plan.rows.front().points.front().point.x(), options.edge_margin + 1e-4);
+  EXPECT_GT(plan.rows.front().points.back().point.x(), 0.1 - options.edge_margin - 1e-4);
+  EXPECT_LT(plan.rows.front().points.front().point.y(), options.edge_margin + 1.5e-4);
+}
+
 TEST(SurfaceRows, TakeAnyDirectionAndStayInside) {
   const auto scan = test::fittedSPart();
   const toolpath::ScanSurface surface(scan.surface);
