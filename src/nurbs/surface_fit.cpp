@@ -20,17 +20,32 @@ namespace scan_to_path::nurbs {
 namespace {
 
 constexpr int degree = 3;
-constexpr std::size_t max_cells = 128;
+constexpr std::size_t coarse_cells = 128;
+constexpr std::size_t fine_cells = 512;
 constexpr std::size_t min_cells = 64;
-constexpr int max_count = 67;
-// Weight of the thin-plate energy against the data at the scale of a span: see fitHeightSurface.
-constexpr double thin_plate = 1e-10;
+constexpr int coarse_count = 64;
+constexpr int max_count = 259;
+// Multiplications that one solution of a fit on the fine grid may take: about a second.
+constexpr double most_work = 2e9;
+// Weight of the thin-plate energy against the data at the scale of a span: see fitHeightSurface. On the fine grid knots
+// are as close as rows, and with less a ragged edge, whose patches hold a sample here and there, swings by millimetres.
+constexpr double coarse_thin_plate = 1e-10;
+constexpr double fine_thin_plate = 1e-5;
+
+std::size_t lineCount(const std::vector<HeightSamples>& lines) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i == 0 || lines[i].row < 0 || lines[i].row != lines[i - 1].row) ++count;
+  }
+  return count;
+}
 
 /// Fits of a set of samples with any numbers of control points.
 class Fitter {
 public:
-  explicit Fitter(const std::vector<HeightSamples>& lines)
-      : moments_(accumulateHeights(lines, cellsU(lines), cellsV(lines))) {}
+  Fitter(const std::vector<HeightSamples>& lines, std::size_t max_cells)
+      : moments_(accumulateHeights(lines, cellsU(lines, max_cells), cellsV(lines, max_cells))),
+        thin_plate_(max_cells > coarse_cells ? fine_thin_plate : coarse_thin_plate) {}
 
   double samples() const { return moments_.samples; }
 
@@ -55,15 +70,17 @@ public:
   int largestV() const { return static_cast<int>(moments_.grid.cells_v / 2) + degree; }
 
 private:
-  static std::size_t cells(std::size_t wanted) {
+  static std::size_t cells(std::size_t wanted, std::size_t max_cells) {
     return powerOfTwoAtMost(std::min(max_cells, std::max(min_cells, wanted)));
   }
-  static std::size_t cellsU(const std::vector<HeightSamples>& lines) {
+  static std::size_t cellsU(const std::vector<HeightSamples>& lines, std::size_t max_cells) {
     std::size_t longest = 0;
     for (const HeightSamples& line : lines) longest = std::max(longest, line.count);
-    return cells(longest);
+    return cells(longest, max_cells);
   }
-  static std::size_t cellsV(const std::vector<HeightSamples>& lines) { return cells(2 * lines.size()); }
+  static std::size_t cellsV(const std::vector<HeightSamples>& lines, std::size_t max_cells) {
+    return cells((max_cells > coarse_cells ? 4 : 2) * lineCount(lines), max_cells);
+  }
 
   void solve(const MomentGrid& patches, const std::vector<int>& ends_u, const std::vector<int>& ends_v,
              SurfaceFit& result) const {
@@ -88,7 +105,7 @@ private:
     const BandedMatrix data = A;
     const double area = (moments_.last_u - moments_.first_u) * (moments_.last_v - moments_.first_v);
     const double patch = area / static_cast<double>(patches.cells_u * patches.cells_v);
-    addThinPlate(result.surface, thin_plate * moments_.samples / area * patch * patch, stride_u, stride_v, A);
+    addThinPlate(result.surface, thin_plate_ * moments_.samples / area * patch * patch, stride_u, stride_v, A);
     finish(data, std::move(A), rhs, stride_u, stride_v, result);
   }
 
@@ -130,8 +147,16 @@ private:
   }
 
   HeightMoments moments_;
+  double thin_plate_;
   std::map<int, MomentGrid> merged_u_;
 };
+
+double surfaceScore(const SurfaceFit& fit, double noise) {
+  const double n = static_cast<double>(fit.samples);
+  const bool is_smallest = fit.count_u + fit.count_v <= 2 * (degree + 1);
+  if (2.0 * fit.parameters > n && !is_smallest) return std::numeric_limits<double>::infinity();
+  return criterion(n, fit.rms * fit.rms * n, std::min(fit.parameters, 0.5 * n), noise);
+}
 
 /// Climbs down the criterion over a ladder of counts in both directions.
 class Search {
@@ -157,6 +182,10 @@ public:
     return fits_.at(place);
   }
 
+  /// The largest counts that are tried.
+  int largestU() const { return counts_u_.back(); }
+  int largestV() const { return counts_v_.back(); }
+
 private:
   using Place = std::pair<int, int>;
 
@@ -177,10 +206,7 @@ private:
       const int count_v = counts_v_[static_cast<std::size_t>(place.second)];
       known = fits_.emplace(place, fitter_.fit(count_u, count_v)).first;
     }
-    const SurfaceFit& fit = known->second;
-    const double n = static_cast<double>(fit.samples);
-    if (2.0 * fit.parameters > n && fit.count_u + fit.count_v > 2 * (degree + 1)) return infinity;
-    return criterion(n, fit.rms * fit.rms * n, std::min(fit.parameters, 0.5 * n), noise_);
+    return surfaceScore(known->second, noise_);
   }
 
   Fitter& fitter_;
@@ -190,16 +216,62 @@ private:
   std::map<Place, SurfaceFit> fits_;
 };
 
+/// Climbs from a fit to finer ones as long as each is worth its cost: the criterion falls by a tenth.
+class Climb {
+public:
+  Climb(Fitter& fitter, double noise, int limit_u, int limit_v)
+      : fitter_(fitter), noise_(noise), limit_u_(limit_u), limit_v_(limit_v) {}
+
+  SurfaceFit from(int first_u, int first_v) {
+    SurfaceFit best = fitter_.fit(first_u, first_v);
+    constexpr double worthwhile = 0.9;
+    for (bool improved = true; improved;) {
+      improved = false;
+      const int count_u = std::min(limit_u_, best.count_u * 3 / 2);
+      const int count_v = std::min(limit_v_, best.count_v * 3 / 2);
+      const double score = surfaceScore(best, noise_);
+      for (const auto& [u, v] : {std::pair{count_u, count_v}, {count_u, best.count_v}, {best.count_u, count_v}}) {
+        if ((u == best.count_u && v == best.count_v) || work(u, v) > most_work) continue;
+        SurfaceFit fit = fitter_.fit(u, v);
+        if (!(surfaceScore(fit, noise_) < worthwhile * score)) continue;
+        best = std::move(fit);
+        improved = true;
+        break;
+      }
+    }
+    return best;
+  }
+
+private:
+  /// Multiplications of a Cholesky factorisation: the squared half bandwidth for every control point.
+  static double work(int count_u, int count_v) {
+    const double band = 3.0 * (std::min(count_u, count_v) + 1);
+    return static_cast<double>(count_u) * count_v * band * band;
+  }
+
+  Fitter& fitter_;
+  double noise_;
+  int limit_u_;
+  int limit_v_;
+};
+
 }  // namespace
 
 SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options) {
   scan_to_path::validate(options, "surface fit");
-  Fitter fitter(lines);
-  const int rows = static_cast<int>(std::min<std::size_t>(lines.size(), 10000));
-  const int limit_v = std::max(degree + 1, 2 * rows / 3);
-  Search search(fitter, options.noise, std::min(options.max_control_points, fitter.largestU()),
-                std::min({options.max_control_points, fitter.largestV(), limit_v}));
-  return search.best();
+  const int rows = static_cast<int>(std::min<std::size_t>(lineCount(lines), 10000));
+  const int limit_v = std::min(options.max_control_points, std::max(degree + 1, 2 * rows / 3));
+  Fitter coarse(lines, coarse_cells);
+  Search search(coarse, options.noise, std::min({options.max_control_points, coarse.largestU(), coarse_count}),
+                std::min({coarse.largestV(), limit_v, coarse_count}));
+  const SurfaceFit best = search.best();
+  const bool more_u = best.count_u >= search.largestU() && best.count_u < options.max_control_points;
+  const bool more_v = best.count_v >= search.largestV() && best.count_v < limit_v;
+  if (!more_u && !more_v) return best;
+  Fitter fine(lines, fine_cells);
+  return Climb(fine, options.noise, std::min(options.max_control_points, fine.largestU()),
+               std::min(fine.largestV(), limit_v))
+      .from(best.count_u, best.count_v);
 }
 
 SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, int count_u, int count_v) {
@@ -209,7 +281,8 @@ SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, int count_u
                        "in [" + std::to_string(degree + 1) + ", " + std::to_string(max_count) + "]");
     }
   }
-  return Fitter(lines).fit(count_u, count_v);
+  const int coarse_limit = static_cast<int>(coarse_cells / 2) + degree;
+  return Fitter(lines, std::max(count_u, count_v) > coarse_limit ? fine_cells : coarse_cells).fit(count_u, count_v);
 }
 
 }  // namespace scan_to_path::nurbs
