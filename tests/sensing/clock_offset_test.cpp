@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "support/expect_input_error.h"
 #include "support/sensing_cell.h"
@@ -25,11 +27,27 @@ EmulationOptions optionsOf(ErrorSet set, double offset, int seed) {
   return options;
 }
 
+/// The S part scanned with clocks that agree; scanned once for all tests.
+const scan::SampleLog& agreeingScan(ErrorSet set, int seed) {
+  static std::map<std::pair<ErrorSet, int>, scan::SampleLog> scans;
+  const auto [entry, is_new] = scans.try_emplace({set, seed});
+  if (is_new) entry->second = SensingCell().emulate(optionsOf(set, 0.0, seed)).log;
+  return entry->second;
+}
+
+/// The log of the same scan with clocks `offset` apart: only stamps differ (EmulateScan.ClockOffsetShiftsTheStampsOnly).
+scan::SampleLog scanned(ErrorSet set, double offset, int seed) {
+  scan::SampleLog log = agreeingScan(set, seed);
+  for (auto& t : log.joint_time) t += std::max(0.0, offset);
+  for (auto& t : log.sensor_time) t += std::max(0.0, offset) - offset;
+  return log;
+}
+
 double largestError(ErrorSet set, double offset) {
   const SensingCell cell;
   double largest = 0.0;
   for (int seed = 1; seed <= 5; ++seed) {
-    const auto estimate = cell.clockOffset(cell.emulate(optionsOf(set, offset, seed)).log);
+    const auto estimate = cell.clockOffset(scanned(set, offset, seed));
     EXPECT_TRUE(estimate.is_observable) << estimate.reason;
     EXPECT_EQ(estimate.rows, 40);
     const double error = std::abs(estimate.offset - offset);
@@ -49,14 +67,14 @@ TEST(ClockOffset, NoOffsetIsFoundWhereThereIsNone) {
 
 TEST(ClockOffset, TwinWithTheWrongSignMissesTheBar) {
   const SensingCell cell;
-  const auto log = cell.emulate(optionsOf(ErrorSet::realistic, 1e-3, 1)).log;
+  const auto log = scanned(ErrorSet::realistic, 1e-3, 1);
   EXPECT_GT(std::abs(cell.clockOffset(log).offset + 1e-3), bar);
 }
 
 TEST(ClockOffset, WithoutErrorsOnlyThePartsShapeIsLeft) {
   const SensingCell cell;
   for (const double offset : {0.0, -2.5e-3, 0.02}) {
-    const auto estimate = cell.clockOffset(cell.emulate(optionsOf(ErrorSet::none, offset, 1)).log);
+    const auto estimate = cell.clockOffset(scanned(ErrorSet::none, offset, 1));
     // Third difference across 4 mm rows: 0.004 (pi / 0.16)^3 (4 mm)^3 = 2 um at most, of either sign in neighbouring
     // groups; it stays below 1 us of 2 v slope = 20 um/ms.
     EXPECT_NEAR(estimate.offset, offset, 1e-6);
@@ -65,7 +83,7 @@ TEST(ClockOffset, WithoutErrorsOnlyThePartsShapeIsLeft) {
 
 TEST(ClockOffset, StartIsAddedNotCounted) {
   const SensingCell cell;
-  const auto log = cell.emulate(optionsOf(ErrorSet::realistic, 1e-3, 2)).log;
+  const auto log = scanned(ErrorSet::realistic, 1e-3, 2);
   const double from_zero = cell.clockOffset(log).offset;
   PlacementOptions placement;
   placement.clock_offset = 0.9e-3;
@@ -74,10 +92,10 @@ TEST(ClockOffset, StartIsAddedNotCounted) {
 
 TEST(ClockOffset, CorrectedScansLieOnTheSurfaceAgain) {
   const SensingCell cell;
-  const auto emulated = cell.emulate(optionsOf(ErrorSet::none, 1e-3, 1));
+  const auto log = scanned(ErrorSet::none, 1e-3, 1);
   PlacementOptions placement;
-  placement.clock_offset = cell.clockOffset(emulated.log).offset;
-  const auto scan = cell.place(emulated.log, placement);
+  placement.clock_offset = cell.clockOffset(log).offset;
+  const auto scan = cell.place(log, placement);
   for (std::size_t i = 0; i < scan.cloud.size(); i += 101) {
     const Vector3 p = cell.T_base_workpiece.inverse() * scan.cloud[i].getVector3fMap().cast<double>();
     // 1 us at 50 mm/s, and floats; ramps at the offset's fraction of a reading, 0.6 um at 4 ms, 0.04 um at 1 ms.
