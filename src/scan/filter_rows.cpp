@@ -161,10 +161,18 @@ std::size_t removeMarked(RowPiece& piece, const std::vector<char>& marked) {
   return removed;
 }
 
-void cutAtGaps(RowPiece&& piece, double max_gap, std::vector<RowPiece>& pieces) {
+/// Where samples are missing the gap counts in space: a wall under a grazing beam goes on for millimetres meanwhile.
+bool isGap(const RowPiece& piece, std::size_t a, std::size_t b, double max_gap, double spacing) {
+  constexpr double missing = 3.0;  // spacings
+  const double over_plane = std::hypot(piece.x[b] - piece.x[a], piece.y[b] - piece.y[a]);
+  if (over_plane <= missing * spacing) return false;
+  return std::hypot(over_plane, piece.z[b] - piece.z[a]) > max_gap;
+}
+
+void cutAtGaps(RowPiece&& piece, double max_gap, double spacing, std::vector<RowPiece>& pieces) {
   std::size_t begin = 0;
   for (std::size_t i = 1; i < piece.size(); ++i) {
-    if (std::hypot(piece.x[i] - piece.x[i - 1], piece.y[i] - piece.y[i - 1]) <= max_gap) continue;
+    if (!isGap(piece, i - 1, i, max_gap, spacing)) continue;
     pieces.push_back(subPiece(piece, begin, i));
     begin = i;
   }
@@ -176,12 +184,13 @@ void cutAtGaps(RowPiece&& piece, double max_gap, std::vector<RowPiece>& pieces) 
 }
 
 /// Spikes out, gaps cut, short pieces out. `residuals` has one row per piece.
-void finishRow(Filtered& row, const PieceResiduals& residuals, double limit, double max_gap,
+void finishRow(Filtered& row, const PieceResiduals& residuals, double limit, double spacing,
                const FilterOptions& options) {
+  const double max_gap = std::max(options.max_gap, 5.0 * spacing);
   std::vector<RowPiece> cut;
   for (std::size_t k = 0; k < row.pieces.size(); ++k) {
     row.spikes += removeMarked(row.pieces[k], findSpikes(row.pieces[k], residuals[k], limit));
-    if (row.pieces[k].size() > 0) cutAtGaps(std::move(row.pieces[k]), max_gap, cut);
+    if (row.pieces[k].size() > 0) cutAtGaps(std::move(row.pieces[k]), max_gap, spacing, cut);
   }
   row.pieces.clear();
   for (RowPiece& piece : cut) {
@@ -216,8 +225,7 @@ SampleRows filterRows(SampleRows rows, const FilterOptions& options, int threads
   });
   const double scale = 1.4826 * medianAbsoluteResidual(residuals);  // of a normal distribution: its sigma
   const double limit = std::max(options.spike_floor, options.spike_threshold * scale);
-  const double max_gap = std::max(options.max_gap, 5.0 * rows.spacing);
-  forEach(count, threads, [&](std::size_t i) { finishRow(filtered[i], residuals[i], limit, max_gap, options); });
+  forEach(count, threads, [&](std::size_t i) { finishRow(filtered[i], residuals[i], limit, rows.spacing, options); });
 
   rows.pieces.clear();
   for (Filtered& row : filtered) {
