@@ -45,12 +45,23 @@ std::vector<std::vector<Span>> rowSpans(const SampleRows& rows) {
 
 bool overlap(const Span& a, const Span& b) { return std::min(a.end, b.end) > std::max(a.begin, b.begin); }
 
+/// Whether a straight edge between the rows may join two ends: one that runs nearly along the rows would take in a
+/// long stretch that only one of the rows has seen.
+bool joinsStraight(double x_lower, double y_lower, double x_upper, double y_upper) {
+  constexpr double most_per_distance = 2.0;
+  return std::abs(x_upper - x_lower) <= most_per_distance * std::abs(y_upper - y_lower);
+}
+
 /// Two overlapping spans of neighbouring rows as the quadrilateral between them, counter-clockwise. An end that both
-/// have to themselves joins straight; where one span meets several, it is cut down to the overlap.
+/// have to themselves joins straight; where one span meets several, or ends far beyond the other, it is cut down to
+/// the overlap.
 std::vector<Edge> quadrilateral(int row, const std::vector<Span>& lower, std::size_t a, const std::vector<Span>& upper,
                                 std::size_t b) {
-  const bool left_shared = (b > 0 && overlap(lower[a], upper[b - 1])) || (a > 0 && overlap(lower[a - 1], upper[b]));
-  const bool right_shared = (b + 1 < upper.size() && overlap(lower[a], upper[b + 1])) ||
+  const bool left_far = !joinsStraight(lower[a].begin, lower[a].y_begin, upper[b].begin, upper[b].y_begin);
+  const bool right_far = !joinsStraight(lower[a].end, lower[a].y_end, upper[b].end, upper[b].y_end);
+  const bool left_shared = left_far || (b > 0 && overlap(lower[a], upper[b - 1])) ||
+                           (a > 0 && overlap(lower[a - 1], upper[b]));
+  const bool right_shared = right_far || (b + 1 < upper.size() && overlap(lower[a], upper[b + 1])) ||
                             (a + 1 < lower.size() && overlap(lower[a + 1], upper[b]));
   const double left = std::max(lower[a].begin, upper[b].begin);
   const double right = std::min(lower[a].end, upper[b].end);

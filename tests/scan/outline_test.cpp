@@ -82,6 +82,14 @@ TEST(Outline, RowsThatDoNotOverlapAreNotPart) {
   EXPECT_FALSE(OutlineTest(Outline()).inside(0.0, 0.0));
 }
 
+TEST(Outline, AnEndFarBeyondItsNeighboursIsCutToTheOverlap) {
+  const Outline slanted = traceOutline(rowsOf({{{0, 10}}, {{2, 10}}}));
+  EXPECT_DOUBLE_EQ(area(slanted.polygons[0]), 9.0);
+  const Outline ragged = traceOutline(rowsOf({{{0, 10}}, {{2.5, 10}}}));  // joined straight: 8.75
+  EXPECT_DOUBLE_EQ(area(ragged.polygons[0]), 7.5);
+  EXPECT_FALSE(OutlineTest(ragged).inside(2.0, 0.5));
+}
+
 TEST(Outline, InsideAgreesWithTheWindingNumber) {
   Random random(1);
   for (int round = 0; round < 30; ++round) {

@@ -12,7 +12,8 @@ namespace scan_to_path::scan {
 
 /// The part's boundary (spec cutting, step 6): first and last sample of every piece, joined from row to row where
 /// pieces of neighbouring rows overlap along x. Between two rows only what lies between overlapping pieces counts as
-/// part, so a hole reaches to the rows around it: conservative. Polygons as Outline has them.
+/// part, so a hole reaches to the rows around it: conservative. Ends further apart than twice the rows' distance are
+/// cut down to the overlap: what lies beside it only one row has seen. Polygons as Outline has them.
 Outline traceOutline(const SampleRows& rows);
 
 /// Tells whether points lie on the part, in O(1) for a raster's outline: edges are kept in bins over y.
