@@ -75,6 +75,12 @@ motion::MotionPlan withoutFailed(const MotionStage& motion) {
   return plan;
 }
 
+/// Rows on the fitted surface are as far off the part as the surface is, on the scan's rows and between them.
+void addSurfaceTolerances(const scan::FittedScan& scan, const ReportOptions& limits, std::vector<Accuracy>& accuracy) {
+  accuracy.push_back({"path_surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
+  accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limitUnlessZero(limits.max_between_rows)});
+}
+
 }  // namespace
 
 ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options, int threads,
@@ -127,8 +133,10 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   stage.accuracy.push_back({"line_residual_rms", line_rms, "m", limitUnlessZero(limits.max_line_residual)});
   stage.accuracy.push_back({"line_noise", scan.line_sigma, "m"});
   if (!scan.surface.control_points.empty()) {
-    stage.accuracy.push_back({"surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
+    stage.accuracy.push_back({"surface_residual_rms", scan.surface_rms, "m"});
   }
+  stage.accuracy.push_back({"between_rows_rms", scan.between_rows_rms, "m"});
+  stage.accuracy.push_back({"between_rows_largest", scan.between_rows_largest, "m"});
   stage.accuracy.push_back(
       {"dropped_share", lossShare(scan.dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
@@ -143,6 +151,7 @@ PathStage pathStage(const std::string& process, const scan::FittedScan& scan, co
   const std::size_t waypoints = toolpath::waypointCount(stage.planned.path);
   stage.report = {"path", scan.samples_used, waypoints, {}};
   for (const auto& figure : stage.planned.figures) stage.accuracy.push_back({"path_" + figure.name, figure.value, figure.unit});
+  if (options.path.row_source == process::RowSource::surface) addSurfaceTolerances(scan, options.report, stage.accuracy);
   return stage;
 }
 

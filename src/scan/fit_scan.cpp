@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_to_path/scan/between_rows.h"
 #include "scan_to_path/scan/outline.h"
 
 namespace scan_to_path::scan {
@@ -24,7 +25,7 @@ double pooledSigma(const std::vector<FittedLine>& lines) {
 nurbs::SurfaceFit fitSurface(const SampleRows& rows, const nurbs::SurfaceFitOptions& options) {
   std::vector<nurbs::HeightSamples> lines;
   for (const RowPiece& piece : rows.pieces) {
-    lines.push_back({piece.x.data(), piece.y.data(), piece.z.data(), piece.size()});
+    lines.push_back({piece.x.data(), piece.y.data(), piece.z.data(), piece.size(), piece.row});
   }
   return nurbs::fitHeightSurface(lines, options);
 }
@@ -53,6 +54,9 @@ FittedScan fitRows(const SampleRows& rows, const FitOptions& options, int thread
   for (const Dropped& dropped : fitted.dropped) addDropped(scan.dropped, dropped.reason, dropped.count);
   for (const FittedLine& line : scan.lines) scan.samples_used += line.samples;
   scan.line_sigma = pooledSigma(scan.lines);
+  const BetweenRows between = estimateBetweenRows(scan);
+  scan.between_rows_rms = between.rms;
+  scan.between_rows_largest = between.largest;
   progress.update("outline", 0.6);
   scan.outline = traceOutline(rows);
   if (options.with_surface) {

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "scan_to_path/scan/cloud_io.h"
 #include "small_scan.h"
 
@@ -58,6 +60,23 @@ TEST(Stages, TheFitsLimitsComeFromTheOptions) {
   EXPECT_FALSE(figure(fit.accuracy, "line_residual_rms").limit.has_value());
   EXPECT_EQ(*figure(fit.accuracy, "dropped_share").limit, limits.max_dropped_share);
   EXPECT_EQ(fit.report.in, samples.cloud.size());
+}
+
+TEST(Stages, OnlyRowsOnTheSurfaceAnswerForIt) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  FitStage fit = fitStage(scanFromSamples(smallScan(), cell, {}, 1, {}), {}, {}, {}, 1, {});
+  const auto failures = [&](process::RowSource source) {
+    JobOptions options;
+    options.path.row_source = source;
+    const PathStage path = pathStage("cutting", fit.scan, "base_link", options, {});
+    return std::count_if(path.accuracy.begin(), path.accuracy.end(), [](const auto& figure) { return !figure.pass(); });
+  };
+  EXPECT_EQ(failures(process::RowSource::surface), 0);
+  fit.scan.between_rows_rms = 1e-4;
+  EXPECT_EQ(failures(process::RowSource::surface), 1);
+  fit.scan.surface_rms = 1e-4;
+  EXPECT_EQ(failures(process::RowSource::surface), 2);
+  EXPECT_EQ(failures(process::RowSource::scan_lines), 0);
 }
 
 TEST(Stages, FindingsOfThePathOutrankTheMotions) {

@@ -46,10 +46,11 @@ struct SurfaceFit {
 ///
 /// `lines` are the scan lines, roughly along u; their number limits the control points along v (two for every three
 /// lines). The search goes past 64 control points along a direction only when the best fit has that many: it then
-/// counts on a finer grid in steps of a half, and stops where a solution would take above two thousand million
-/// multiplications (256 x 84 control points do, 181 x 100) or a step improves the criterion by less than a tenth. Cells without samples are bridged by the least thin-plate energy, weighted at the scale of a knot span by
-/// 1e-10 of the data: where there are samples even a patch's highest polynomials shrink by no more than 1e-5. On the
-/// finer grid it is 1e-5, for knots as close as the rows leave patches at ragged edges nearly bare.
+/// counts on a finer grid in steps of a half, and stops before a solution takes above 2e9 multiplications (256 x 84
+/// control points take 1.4e9) or when a step improves the criterion by less than a tenth.
+/// Cells without samples are bridged by the least thin-plate energy, weighted at the scale of a knot span by 1e-10 of
+/// the data: where there are samples even a patch's highest polynomials shrink by no more than 1e-5. On the finer grid
+/// it is 1e-5, for knots as close as the rows leave patches at ragged edges nearly bare.
 /// Cost: one pass over the samples; after it everything works on sums per grid cell. RMS below about 1e-8 of the
 /// height range is rounding.
 /// Throws InputError when there are no samples, one is not finite, or they span no rectangle.

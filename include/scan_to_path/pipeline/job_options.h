@@ -36,7 +36,8 @@ struct ScanSection {
 struct ReportOptions {
   double max_dropped_share = 0.05;
   double max_line_residual = 1e-4;
-  double max_surface_residual = 0.0;
+  double max_surface_residual = 5e-5;
+  double max_between_rows = 5e-5;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -45,7 +46,9 @@ struct ReportOptions {
     visit(self.max_line_residual,
           Field{"max_line_residual", "m", "RMS of samples off the fitted lines; 0: no limit", 0.0, 1.0});
     visit(self.max_surface_residual,
-          Field{"max_surface_residual", "m", "RMS of samples off the fitted surface; 0: no limit", 0.0, 1.0});
+          Field{"max_surface_residual", "m", "RMS of samples off the fitted surface, for rows on it; 0: no limit", 0.0, 1.0});
+    visit(self.max_between_rows,
+          Field{"max_between_rows", "m", "RMS of what may be off between scan rows, for rows on the surface; scan finer, or use path.row_source scan_lines; 0: no limit", 0.0, 1.0});
   }
 };
 

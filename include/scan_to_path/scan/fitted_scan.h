@@ -68,6 +68,8 @@ struct FittedScan {
   double pitch = 0.0;          ///< median distance of neighbouring rows [m]
   double line_sigma = 0.0;     ///< pooled noise estimate of the lines along the beam [m]
   double surface_rms = 0.0;    ///< of the samples off the surface along the beam [m]
+  double between_rows_rms = 0.0;      ///< what the rows leave unknown between them: see BetweenRows [m]
+  double between_rows_largest = 0.0;  ///< [m]
 };
 
 }  // namespace scan_to_path::scan
