@@ -47,6 +47,17 @@ fs::path withSuffix(const fs::path& path, const char* suffix) {
   return fs::path(path.lexically_normal().string() + suffix);
 }
 
+/// A result is replaced whole; what is not of a result must not go with it.
+void refuseForeignFiles(const fs::path& directory, const std::function<bool(const std::string&)>& is_ours) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file(error) && is_ours(name)) continue;
+    throw InputError("cannot replace " + directory.string() + ": it holds " + name +
+                     ", which is no file of a result; name another directory");
+  }
+}
+
 fs::path withoutTrailingSlash(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
   return normal.has_filename() ? normal : normal.parent_path();
@@ -54,9 +65,10 @@ fs::path withoutTrailingSlash(const fs::path& path) {
 
 }  // namespace
 
-OutputDirectory::OutputDirectory(fs::path final_directory)
+OutputDirectory::OutputDirectory(fs::path final_directory, const std::function<bool(const std::string&)>& is_ours)
     : final_(withoutTrailingSlash(final_directory)), part_(withSuffix(final_, ".part")) {
   std::error_code error;
+  for (const char* suffix : {"", ".part", ".old"}) refuseForeignFiles(withSuffix(final_, suffix), is_ours);
   if (fs::exists(final_, error) && !fs::is_directory(final_, error)) {
     throw InputError("cannot write " + final_.string() + ": exists and is not a directory");
   }

@@ -18,6 +18,14 @@
 namespace scan_to_path::pipeline {
 namespace {
 
+namespace fs = std::filesystem;
+
+bool isResultFile(const std::string& name) {
+  const bool is_module = name.rfind("program", 0) == 0 && fs::path(name).extension() == ".mod";
+  return is_module || name == "program.pgf" || name == "path.csv" || name == "trajectory.csv" || name == "pulses.csv" ||
+         name == "report.json" || name == "timing.json";
+}
+
 /// A job under way: each stage's value, the report as it grows, and the files as they become ready.
 class Job {
 public:
@@ -101,32 +109,36 @@ private:
     motion_ = motionStage(path_, cell_, options_, progress_);
     verdicts_ = motion_.verdicts;
     take(motion_.report, motion_.accuracy);
-    files_["trajectory.csv"] = motion::formatTrajectory(motion_.plan.trajectory);
+    if (hasFailed()) {
+      report_.notes.push_back("no trajectory and no program written: see what failed");
+    } else if (isAirRun()) {
+      report_.notes.push_back("air run: the program is lifted by program.dry_offset; no trajectory or pulses, which are not");
+    } else {
+      files_["trajectory.csv"] = motion::formatTrajectory(motion_.plan.trajectory);
+    }
   }
+
+  bool isAirRun() const { return options_.program.dry_offset > 0.0; }
 
   bool wants(Output output) const {
     return std::find(request_.outputs.begin(), request_.outputs.end(), output) != request_.outputs.end();
   }
 
-  /// A robot moves on what is written here: nothing is, while a waypoint or a tolerance fails and nobody insists.
+  /// A robot moves on what is written here: nothing is while a waypoint, a tolerance or the read-back fails.
   void program() {
-    if (hasFailed() && !request_.allow_partial) {
-      report_.notes.push_back("no program written: see what failed above, or insist with --allow-partial");
-      return;
+    if (hasFailed()) return;
+    if (wants(Output::abb)) {
+      const std::vector<std::string> provenance = {"input " + report_.input_file, "SHA-256 " + report_.input_sha256,
+                                                   std::string("scan_to_path ") + version};
+      const ProgramStage stage = programStage(path_, motion_, cell_, options_, provenance);
+      take(stage.report, {{"read_back_discrepancies", static_cast<double>(stage.discrepancies.size()), "1", 0.0}});
+      for (const auto& discrepancy : stage.discrepancies) report_.notes.push_back("read-back: " + discrepancy.text);
+      if (hasFailed()) return;
+      for (const auto& file : stage.files) files_[file.name] = file.content;
     }
-    if (wants(Output::pulses) && hasFailed()) {
-      report_.notes.push_back("pulses.csv not written: a stream of positions cannot leave out failed waypoints");
-    } else if (wants(Output::pulses)) {
+    if (wants(Output::pulses) && !isAirRun()) {
       files_["pulses.csv"] = motion::formatPulses(motion_.plan.trajectory, cell_.encoders);
     }
-    if (!wants(Output::abb)) return;
-    const std::vector<std::string> provenance = {"input " + report_.input_file, "SHA-256 " + report_.input_sha256,
-                                                 std::string("scan_to_path ") + version};
-    const ProgramStage stage = programStage(path_, motion_, cell_, options_, provenance, request_.allow_partial);
-    take(stage.report, {{"read_back_discrepancies", static_cast<double>(stage.discrepancies.size()), "1", 0.0}});
-    for (const auto& discrepancy : stage.discrepancies) report_.notes.push_back("read-back: " + discrepancy.text);
-    if (!stage.discrepancies.empty()) return;
-    for (const auto& file : stage.files) files_[file.name] = file.content;
   }
 
   bool hasFailed() const {
@@ -143,7 +155,7 @@ private:
     JobOptions options = options_;
     files_["report.json"] = formatReport(report_, fieldReferences(options), path_.planned.path, verdicts_);
     progress_.update("write", 0.0);
-    OutputDirectory directory(request_.out);
+    OutputDirectory directory(request_.out, isResultFile);
     for (const auto& [name, content] : files_) directory.write(name, content);
     directory.write("timing.json", timing_.format(request_.threads, request_.input, request_.out));
     progress_.checkCancelled();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
@@ -36,16 +35,16 @@ Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
   return bounds;
 }
 
-void noteClockOffset(const sensing::ClockOffsetEstimate& estimate, bool corrected, ScanStage& stage) {
+void noteClockOffset(const sensing::ClockOffsetEstimate& estimate, double used, ScanStage& stage) {
   if (!estimate.is_observable) {
     stage.notes.push_back("clock offset between sensor and encoders not observable: " + estimate.reason);
     return;
   }
   stage.accuracy.push_back({"clock_offset", estimate.offset, "s"});
   stage.accuracy.push_back({"clock_offset_standard_error", estimate.standard_error, "s"});
-  const bool significant = std::abs(estimate.offset) > std::max(1e-4, 3.0 * estimate.standard_error);
-  if (significant && !corrected) {
-    stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * estimate.offset, 3) +
+  const double left = estimate.offset - used;
+  if (std::abs(left) > std::max(1e-4, 3.0 * estimate.standard_error)) {
+    stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * left, 3) +
                           " ms; correct it with --set scan.correct_clock_offset=true");
   }
 }
@@ -61,24 +60,31 @@ std::vector<toolpath::WaypointVerdict> merged(const std::vector<toolpath::Waypoi
   return verdicts;
 }
 
-/// The plan without the points that belong to failed waypoints; the program stops in their place.
-motion::MotionPlan withoutFailed(const MotionStage& motion) {
-  std::set<std::pair<int, int>> failed;
-  for (const auto& verdict : motion.verdicts) {
-    if (verdict.verdict != toolpath::Verdict::ok) failed.insert({verdict.segment, verdict.index});
-  }
-  motion::MotionPlan plan = motion.plan;
-  auto& points = plan.trajectory.points;
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const auto& point) { return failed.count({point.segment, point.index}) > 0; }),
-               points.end());
-  return plan;
-}
-
 /// Rows on the fitted surface are as far off the part as the surface is, on the scan's rows and between them.
 void addSurfaceTolerances(const scan::FittedScan& scan, const ReportOptions& limits, std::vector<Accuracy>& accuracy) {
   accuracy.push_back({"path_surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
   accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limitUnlessZero(limits.max_between_rows)});
+}
+
+/// The path as program.dry_offset lifts it.
+toolpath::ToolPath lifted(toolpath::ToolPath path, const Cell& cell, const program::ProgramOptions& options) {
+  const Vector3 offset = options.dry_offset * (cell.T_base_workpiece.linear() * options.dry_direction.normalized());
+  for (auto& segment : path.segments) {
+    for (auto& waypoint : segment.waypoints) waypoint.pose.pretranslate(offset);
+  }
+  return path;
+}
+
+/// An air run is driven too: where it cannot be, the waypoint fails.
+void checkAirRun(const toolpath::ToolPath& path, const Cell& cell, const JobOptions& options, const Progress& progress,
+                 std::vector<toolpath::WaypointVerdict>& verdicts) {
+  const auto air = motion::planMotion(lifted(path, cell, options.program), cell.robot, cell.T_tip_tcp, options.motion, progress);
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].verdict != toolpath::Verdict::ok || air.verdicts[i].verdict == toolpath::Verdict::ok) continue;
+    verdicts[i] = air.verdicts[i];
+    verdicts[i].reason = "in the air run " + verdicts[i].reason;
+    verdicts[i].remedy = "lower program.dry_offset";
+  }
 }
 
 }  // namespace
@@ -95,7 +101,7 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
   }
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
-  noteClockOffset(estimate, options.correct_clock_offset, stage);
+  noteClockOffset(estimate, placement.clock_offset, stage);
   stage.cloud = std::move(placed.cloud);
   stage.mean_beam = placed.mean_beam;
   stage.report = {"scan", placed.samples_in, stage.cloud.size(), placed.dropped};
@@ -137,8 +143,9 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   }
   stage.accuracy.push_back({"between_rows_rms", scan.between_rows_rms, "m"});
   stage.accuracy.push_back({"between_rows_largest", scan.between_rows_largest, "m"});
-  stage.accuracy.push_back(
-      {"dropped_share", lossShare(scan.dropped, scan.samples_used), "1", limits.max_dropped_share});
+  std::vector<scan::Dropped> dropped = scanned.report.dropped;
+  dropped.insert(dropped.end(), scan.dropped.begin(), scan.dropped.end());
+  stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
   return stage;
 }
@@ -160,6 +167,7 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
   const auto& planned = path.planned;
   stage.plan = motion::planMotion(planned.path, cell.robot, cell.T_tip_tcp, options.motion, progress);
   stage.verdicts = merged(planned.findings, stage.plan.verdicts);
+  if (options.program.dry_offset > 0.0) checkAirRun(planned.path, cell, options, progress, stage.verdicts);
   const auto failed = static_cast<std::size_t>(
       std::count_if(stage.verdicts.begin(), stage.verdicts.end(),
                     [](const auto& verdict) { return verdict.verdict != toolpath::Verdict::ok; }));
@@ -167,7 +175,8 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
   const auto playback = verification::playBack(stage.plan.trajectory, cell.robot, cell.T_tip_tcp, planned.path);
   constexpr double position_limit = 1e-6;              // [m]
   constexpr double angle_limit = 0.001 * M_PI / 180.0;  // [rad]
-  stage.accuracy = {{"playback_position", playback.position_largest, "m", position_limit},
+  stage.accuracy = {{"playback_missing", static_cast<double>(playback.missing), "1", 0.0},
+                    {"playback_position", playback.position_largest, "m", position_limit},
                     {"playback_angle", playback.angle_largest, "rad", angle_limit},
                     {"chord_error", playback.chord_largest, "m", options.motion.chord_tolerance}};
   if (!stage.plan.trajectory.points.empty()) {
@@ -177,16 +186,15 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
 }
 
 ProgramStage programStage(const PathStage& path, const MotionStage& motion, const Cell& cell, const JobOptions& options,
-                          const std::vector<std::string>& provenance, bool allow_partial) {
+                          const std::vector<std::string>& provenance) {
   program::ProgramInput input;
   input.path = path.planned.path;
-  input.plan = allow_partial ? withoutFailed(motion) : motion.plan;
+  input.plan = motion.plan;
   input.robot = cell.robot;
   input.T_tip_tcp = cell.T_tip_tcp;
   input.T_base_workobject = cell.T_base_workpiece;
   input.options = options.program;
   input.provenance = provenance;
-  input.allow_partial = allow_partial;
   ProgramStage stage;
   stage.files = program::writeProgram(program::Controller::abb, input);
   stage.discrepancies = program::readBack(program::Controller::abb, input, stage.files);

@@ -21,7 +21,6 @@ struct PlanFlags {
   std::string stop_after = "program";
   std::vector<std::string> controllers;
   std::string reference;
-  bool allow_partial = false;
   std::uint64_t seed = 1;
   std::string out;
 };
@@ -36,7 +35,6 @@ void addFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--reference", flags.reference,
                      "true surface to measure the finished path against: a mesh in metres in the workpiece frame, or s_part")
       ->type_name("FILE");
-  command.add_flag("--allow-partial", flags.allow_partial, "write the program without the waypoints that fail");
   command.add_option("--seed", flags.seed, "of random choices; in the report")->capture_default_str();
   command.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
   flags.common.addTo(command);
@@ -56,7 +54,6 @@ pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOpti
   if (!flags.input_kind.empty()) request.input_kind = parseEnum<pipeline::InputKind>("--input-kind", flags.input_kind);
   if (!flags.units.empty()) request.units = parseEnum<pipeline::Units>("--units", flags.units);
   request.stop_after = parseEnum<pipeline::Stage>("--stop-after", flags.stop_after);
-  request.allow_partial = flags.allow_partial;
   request.threads = flags.common.threads;
   request.seed = flags.seed;
   request.out = flags.out.empty() ? "out/" + flags.process : flags.out;
@@ -92,8 +89,8 @@ std::function<int()> addPlanCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("plan", "From a scan to a robot program");
   addFlags(*command, *flags);
   command->footer(
-      "Exit status: 0 every waypoint planned and verified; 1 planned, but a waypoint or a tolerance fails (no program\n"
-      "is written unless --allow-partial); 2 bad input or configuration; 3 a bug; 130 interrupted.\n\n"
+      "Exit status: 0 every waypoint planned and verified; 1 planned, but a waypoint or a tolerance fails (then no\n"
+      "program is written); 2 bad input or configuration; 3 a bug; 130 interrupted.\n\n"
       "Example: scan_to_path plan --process cutting --input samples.csv --set path.scallop_height=5e-5");
   return [flags] { return plan(*flags); };
 }

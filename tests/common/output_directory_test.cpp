@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::expectInputError;
 
+bool anyFile(const std::string&) { return true; }
+
 /// A directory of its own for every test, removed afterwards.
 class OutputDirectoryTest : public ::testing::Test {
 protected:
@@ -28,7 +30,7 @@ protected:
   ~OutputDirectoryTest() override { fs::remove_all(root_); }
 
   void writeOlderResult() const {
-    OutputDirectory older(out_);
+    OutputDirectory older(out_, anyFile);
     older.write("path.csv", "old path");
     older.write("program.mod", "old program");
     older.commit();
@@ -43,7 +45,7 @@ protected:
 };
 
 TEST_F(OutputDirectoryTest, AppearsOnlyWithCommit) {
-  OutputDirectory directory(out_);
+  OutputDirectory directory(out_, anyFile);
   directory.write("path.csv", "a path");
   EXPECT_FALSE(fs::exists(out_));
   directory.commit();
@@ -54,7 +56,7 @@ TEST_F(OutputDirectoryTest, AppearsOnlyWithCommit) {
 TEST_F(OutputDirectoryTest, WithoutCommitTheOlderResultStays) {
   writeOlderResult();
   {
-    OutputDirectory directory(out_);
+    OutputDirectory directory(out_, anyFile);
     directory.write("path.csv", "new path");
   }
   EXPECT_EQ(readFile(out_ / "path.csv"), "old path");
@@ -64,7 +66,7 @@ TEST_F(OutputDirectoryTest, WithoutCommitTheOlderResultStays) {
 
 TEST_F(OutputDirectoryTest, CommitRemovesFilesOfTheOlderResult) {
   writeOlderResult();
-  OutputDirectory directory(out_);
+  OutputDirectory directory(out_, anyFile);
   directory.write("path.csv", "new path");
   directory.commit();
   EXPECT_EQ(readFile(out_ / "path.csv"), "new path");
@@ -76,26 +78,41 @@ TEST_F(OutputDirectoryTest, LeftOversOfAKilledRunAreReplaced) {
   fs::create_directories(out_.string() + ".part");
   fs::create_directories(out_.string() + ".old");
   writeFileAtomically(out_.string() + ".part/stale", "x");
-  OutputDirectory directory(out_.string() + "/");
+  OutputDirectory directory(out_.string() + "/", anyFile);
   directory.write("path.csv", "a path");
   directory.commit();
   EXPECT_FALSE(fs::exists(out_ / "stale"));
   EXPECT_EQ(entriesBeside(), 1U);
 }
 
+TEST_F(OutputDirectoryTest, RefusesToReplaceWhatIsNotAResult) {
+  const auto is_ours = [](const std::string& name) { return name == "path.csv"; };
+  for (const char* suffix : {"", ".part", ".old"}) {
+    const fs::path directory = out_.string() + suffix;
+    fs::create_directories(directory);
+    writeFileAtomically(directory / "path.csv", "ours");
+    { OutputDirectory replaced(out_, is_ours); }
+    fs::create_directories(directory);
+    writeFileAtomically(directory / "thesis.txt", "three years");
+    expectInputError([&] { OutputDirectory refused(out_, is_ours); }, "holds thesis.txt");
+    EXPECT_EQ(readFile(directory / "thesis.txt"), "three years");
+    fs::remove_all(directory);
+  }
+}
+
 TEST_F(OutputDirectoryTest, RefusesWhatIsNotADirectory) {
   writeFileAtomically(root_ / "file", "x");
-  expectInputError([&] { OutputDirectory directory(root_ / "file"); }, "exists and is not a directory");
+  expectInputError([&] { OutputDirectory directory(root_ / "file", anyFile); }, "exists and is not a directory");
   // A file on the way: also true for root, whom no permission stops.
-  expectInputError([&] { OutputDirectory directory(root_ / "file" / "out"); }, "cannot ");
-  expectInputError([] { OutputDirectory directory("/proc/scan_to_path"); }, "cannot create /proc/scan_to_path.part");
+  expectInputError([&] { OutputDirectory directory(root_ / "file" / "out", anyFile); }, "cannot ");
+  expectInputError([] { OutputDirectory directory("/proc/scan_to_path", anyFile); }, "cannot create /proc/scan_to_path.part");
   EXPECT_EQ(readFile(root_ / "file"), "x");
 }
 
 TEST_F(OutputDirectoryTest, FailedWriteIsToldAndLeavesTheOlderResult) {
   writeOlderResult();
   {
-    OutputDirectory directory(out_);
+    OutputDirectory directory(out_, anyFile);
     expectInputError([&] { directory.write("no/such/directory", "x"); }, "cannot write ");
     fs::create_symlink("/dev/full", out_.string() + ".part/full");
     expectInputError([&] { directory.write("full", "x"); }, "No space left on device");
@@ -105,7 +122,7 @@ TEST_F(OutputDirectoryTest, FailedWriteIsToldAndLeavesTheOlderResult) {
 
 TEST_F(OutputDirectoryTest, CommitThatCannotRenameLeavesTheOlderResult) {
   writeOlderResult();
-  OutputDirectory directory(out_);
+  OutputDirectory directory(out_, anyFile);
   fs::remove_all(out_.string() + ".part");
   expectInputError([&] { directory.commit(); }, "cannot create " + out_.string());
   EXPECT_EQ(readFile(out_ / "path.csv"), "old path");

@@ -122,22 +122,60 @@ TEST_F(JobTest, ReferenceChangesNothingButTheReport) {
   EXPECT_FALSE(nlohmann::json::parse(file(blind, "report.json"))["accuracy"].contains("reference_path_rms"));
 }
 
-TEST_F(JobTest, FailingWaypointsLeaveNoProgramUnlessPartialIsAllowed) {
+TEST_F(JobTest, FailingWaypointsLeaveNothingThatARobotCouldRun) {
   JobOptions options;
   options.path.feed = 0.9;
   options.motion.speed_fraction = 0.01;
   auto job = request("failing");
   runJob(job, {}, {});
   ASSERT_TRUE(files(job).count("program.mod"));
-  JobResult result = runJob(job, options, {});
+  const JobResult result = runJob(job, options, {});
   EXPECT_EQ(result.exit, 1);
   EXPECT_FALSE(files(job).count("program.mod")) << "an older program must not stay beside a failed plan";
   EXPECT_FALSE(files(job).count("pulses.csv"));
+  EXPECT_FALSE(files(job).count("trajectory.csv"));
   EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("limit")));
-  job.allow_partial = true;
-  result = runJob(job, options, {});
+}
+
+TEST_F(JobTest, AnAirRunGivesNoUnliftedMotionAndMustBeReachable) {
+  JobOptions options;
+  options.program.dry_offset = 0.05;
+  const auto job = request("air");
+  EXPECT_EQ(runJob(job, options, {}).exit, 0);
+  EXPECT_TRUE(files(job).count("program.mod"));
+  EXPECT_FALSE(files(job).count("pulses.csv"));
+  EXPECT_FALSE(files(job).count("trajectory.csv"));
+  options.program.dry_offset = 2.0;
+  const JobResult result = runJob(job, options, {});
   EXPECT_EQ(result.exit, 1);
-  EXPECT_FALSE(files(job).count("pulses.csv")) << "positions cannot be left out of a stream";
+  EXPECT_FALSE(files(job).count("program.mod"));
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("in the air run")));
+}
+
+TEST_F(JobTest, ADirectoryThatHoldsSomethingElseIsNotReplaced) {
+  auto job = request("mixed");
+  fs::create_directories(job.out);
+  std::ofstream(job.out / "thesis.txt") << "three years";
+  job.stop_after = Stage::scan;
+  EXPECT_THAT(errorOf(job), HasSubstr("holds thesis.txt"));
+  EXPECT_EQ(file(job, "thesis.txt"), "three years");
+}
+
+TEST_F(JobTest, SamplesWithoutJointReadingsCountAsLost) {
+  auto log = smallScan();
+  const std::size_t joints = log.joint_names.size();
+  const std::size_t begin = log.joint_time.size() / 3;
+  const std::size_t end = begin + log.joint_time.size() / 6;
+  const auto at = [](auto& values, std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+  log.joint_time.erase(at(log.joint_time, begin), at(log.joint_time, end));
+  log.counts.erase(at(log.counts, begin * joints), at(log.counts, end * joints));
+  auto job = request("holes");
+  job.input = *directory_ / "holes.csv";
+  job.stop_after = Stage::fit;
+  std::ofstream(job.input) << scan::formatSampleLog(log);
+  const JobResult result = runJob(job, {}, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("dropped_share")));
 }
 
 TEST_F(JobTest, ABrokenToleranceFailsTheJobByName) {

@@ -106,7 +106,7 @@ TEST(Stages, ProgramIsReadBackWithoutDiscrepancy) {
   const JobOptions options;
   const PathStage path = pathStage("cutting", fit.scan, "base_link", options, {});
   const MotionStage motion = motionStage(path, cell, options, {});
-  const ProgramStage program = programStage(path, motion, cell, options, {"a test"}, false);
+  const ProgramStage program = programStage(path, motion, cell, options, {"a test"});
   EXPECT_TRUE(program.discrepancies.empty());
   EXPECT_GE(program.files.size(), 2U);
 }

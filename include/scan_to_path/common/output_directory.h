@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,10 @@ namespace scan_to_path {
 /// it into place. Without commit() the part directory is removed and an older result stays as it was.
 class OutputDirectory {
 public:
-  /// Creates `<final>.part`, replacing a left-over one. Throws InputError when it cannot.
-  explicit OutputDirectory(std::filesystem::path final_directory);
+  /// Creates `<final>.part`, replacing a left-over one. `is_ours` tells the names of files that a result may hold:
+  /// a directory that holds anything else is somebody's own, and is refused rather than replaced.
+  /// Throws InputError when it is, or when the part directory cannot be made.
+  OutputDirectory(std::filesystem::path final_directory, const std::function<bool(const std::string&)>& is_ours);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;

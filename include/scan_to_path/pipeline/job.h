@@ -31,7 +31,6 @@ struct JobRequest {
   std::optional<InputKind> input_kind;  ///< by content when not given
   std::optional<Units> units;           ///< of clouds and meshes; metres, checked for plausibility, when not given
   Stage stop_after = Stage::program;
-  bool allow_partial = false;           ///< write the program although waypoints or tolerances fail
   int threads = 1;                      ///< 0: all
   std::uint64_t seed = 1;               ///< written to the report; cutting draws no random numbers
   std::filesystem::path out;

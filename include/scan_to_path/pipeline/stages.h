@@ -73,6 +73,6 @@ struct ProgramStage {
 };
 
 ProgramStage programStage(const PathStage& path, const MotionStage& motion, const Cell& cell, const JobOptions& options,
-                          const std::vector<std::string>& provenance, bool allow_partial);
+                          const std::vector<std::string>& provenance);
 
 }  // namespace scan_to_path::pipeline
