@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 scan_to_path developers
+# SPDX-License-Identifier: Apache-2.0
+"""The S part with the error set `realistic`, seeds 1 to 5, from emulation to path, against the true surface.
+
+usage: acceptance_test.py EXECUTABLE
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXECUTABLE = pathlib.Path(sys.argv.pop(1)).resolve()
+RMS, LARGEST = 12e-6, 45e-6  # [m] path off the true surface
+
+
+def figures(seed, *emulation):
+    with tempfile.TemporaryDirectory(prefix="scan_to_path_") as directory:
+        log, out = pathlib.Path(directory, "samples.csv"), pathlib.Path(directory, "out")
+        subprocess.run([EXECUTABLE, "emulate", "--errors", "realistic", "--seed", str(seed), "--quiet", *emulation,
+                        "--out", log], check=True)
+        subprocess.run([EXECUTABLE, "plan", "--input", log, "--reference", "s_part", "--stop-after", "path", "--quiet",
+                        "--out", out], check=False)
+        report = json.loads((out / "report.json").read_text())
+    return {name: entry["value"] for name, entry in report["accuracy"].items()}
+
+
+def holds(value):
+    """A table point would be 4 mm off at least, a spike 0.2 mm."""
+    return value["reference_path_rms"] <= RMS and value["reference_path_largest"] <= LARGEST
+
+
+class Acceptance(unittest.TestCase):
+    def test_path_lies_on_the_part_and_leaves_no_more_than_asked_for(self):
+        for seed in range(1, 6):
+            with self.subTest(seed=seed):
+                value = figures(seed)
+                self.assertTrue(holds(value), value)
+                self.assertLessEqual(value["reference_scallop_largest"], 1e-4 + value["reference_path_largest"])
+                self.assertGreaterEqual(value["reference_scallop_largest"], 0.85e-4)
+                self.assertEqual(value["reference_uncut_share"], 0.0)
+                print(f"seed {seed}: RMS {1e6 * value['reference_path_rms']:.2f} um, largest "
+                      f"{1e6 * value['reference_path_largest']:.2f} um, scallop "
+                      f"{1e6 * value['reference_scallop_largest']:.1f} um")
+
+    def test_a_robot_twice_as_bad_does_not_pass(self):
+        self.assertFalse(holds(figures(4, "--set", "emulate.errors.drift_sigma=1.3e-5")))
+
+    def test_a_missed_linearity_error_does_not_pass(self):
+        self.assertFalse(holds(figures(4, "--set", "emulate.errors.linearity_peak=3e-5")))
+
+
+if __name__ == "__main__":
+    unittest.main()
