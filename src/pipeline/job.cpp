@@ -76,7 +76,7 @@ private:
       const scan::SampleLog log = scan::parseSampleLog(content, name);
       content = std::string();
       timing_.mark("read");
-      scan_ = scanFromSamples(log, cell_, options_.scan, request_.threads, progress_);
+      scan_ = scanFromSamples(log, cell_, options_.scan, options_.report, request_.threads, progress_);
     } else if (kind == InputKind::cloud) {
       scan_ = scanFromCloud(content, name, units, request_.units.has_value(), options_.scan);
     } else {
@@ -98,6 +98,10 @@ private:
     verdicts_ = path_.planned.findings;
     take(path_.report, path_.accuracy);
     files_["path.csv"] = toolpath::formatToolPath(path_.planned.path);
+    if (hasFailedTolerance("path_between_rows_rms")) {
+      report_.notes.push_back("the part is finer than the scan's rows: scan at a smaller pitch, or machine the scanned "
+                              "rows alone with --set path.row_source=scan_lines");
+    }
     if (!request_.reference) return;
     const auto figures =
         compareWithReference(path_.planned.path, fit_.scan, options_.path, *request_.reference, request_.threads);
@@ -118,6 +122,19 @@ private:
     }
   }
 
+  /// Defaults that no part can tell: a program with them runs, but not well.
+  void noteWhatTheCellMustSay() {
+    const program::ProgramOptions& options = options_.program;
+    const program::ProgramOptions defaults;
+    if (options.tool_mass == defaults.tool_mass && options.tool_centre_of_gravity == defaults.tool_centre_of_gravity) {
+      report_.notes.push_back("tool load is the default " + fixed(options.tool_mass, 1) +
+                              " kg: set program.tool_mass and program.tool_centre_of_gravity");
+    }
+    if (options.process_signal.empty()) {
+      report_.notes.push_back("ProcessOn in the program starts nothing: set program.process_signal, or fill it in");
+    }
+  }
+
   bool isAirRun() const { return options_.program.dry_offset > 0.0; }
 
   bool wants(Output output) const {
@@ -135,10 +152,16 @@ private:
       for (const auto& discrepancy : stage.discrepancies) report_.notes.push_back("read-back: " + discrepancy.text);
       if (hasFailed()) return;
       for (const auto& file : stage.files) files_[file.name] = file.content;
+      noteWhatTheCellMustSay();
     }
     if (wants(Output::pulses) && !isAirRun()) {
       files_["pulses.csv"] = motion::formatPulses(motion_.plan.trajectory, cell_.encoders);
     }
+  }
+
+  bool hasFailedTolerance(const std::string& name) const {
+    return std::any_of(report_.accuracy.begin(), report_.accuracy.end(),
+                       [&](const auto& figure) { return figure.name == name && !figure.pass(); });
   }
 
   bool hasFailed() const {

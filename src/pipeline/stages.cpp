@@ -35,7 +35,8 @@ Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
   return bounds;
 }
 
-void noteClockOffset(const sensing::ClockOffsetEstimate& estimate, double used, ScanStage& stage) {
+void addClockOffset(const sensing::ClockOffsetEstimate& estimate, double used, const ReportOptions& limits,
+                    ScanStage& stage) {
   if (!estimate.is_observable) {
     stage.notes.push_back("clock offset between sensor and encoders not observable: " + estimate.reason);
     return;
@@ -43,7 +44,9 @@ void noteClockOffset(const sensing::ClockOffsetEstimate& estimate, double used, 
   stage.accuracy.push_back({"clock_offset", estimate.offset, "s"});
   stage.accuracy.push_back({"clock_offset_standard_error", estimate.standard_error, "s"});
   const double left = estimate.offset - used;
-  if (std::abs(left) > std::max(1e-4, 3.0 * estimate.standard_error)) {
+  const Accuracy figure = {"clock_offset_left", std::abs(left), "s", limitUnlessZero(limits.max_clock_offset)};
+  stage.accuracy.push_back(figure);
+  if (!figure.pass()) {
     stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * left, 3) +
                           " ms; correct it with --set scan.correct_clock_offset=true");
   }
@@ -89,8 +92,8 @@ void checkAirRun(const toolpath::ToolPath& path, const Cell& cell, const JobOpti
 
 }  // namespace
 
-ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options, int threads,
-                          const Progress& progress) {
+ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options,
+                          const ReportOptions& limits, int threads, const Progress& progress) {
   ScanStage stage;
   const auto estimate = sensing::estimateClockOffset(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor,
                                                      options.placement, options.clock_offset, progress);
@@ -101,7 +104,7 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
   }
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
-  noteClockOffset(estimate, placement.clock_offset, stage);
+  addClockOffset(estimate, placement.clock_offset, limits, stage);
   stage.cloud = std::move(placed.cloud);
   stage.mean_beam = placed.mean_beam;
   stage.report = {"scan", placed.samples_in, stage.cloud.size(), placed.dropped};

@@ -188,6 +188,24 @@ TEST_F(JobTest, ABrokenToleranceFailsTheJobByName) {
   EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("line_residual_rms")));
 }
 
+TEST_F(JobTest, AnUncorrectedClockOffsetFailsAndACorrectedOnePasses) {
+  auto log = smallScan();
+  for (double& time : log.sensor_time) time -= 1e-3;
+  auto job = request("clocks");
+  job.input = *directory_ / "clocks.csv";
+  job.stop_after = Stage::fit;
+  std::ofstream(job.input) << scan::formatSampleLog(log);
+  const JobResult result = runJob(job, {}, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("off the encoders' by 1.0")));
+  JobOptions options;
+  options.scan.correct_clock_offset = true;
+  EXPECT_EQ(runJob(job, options, {}).exit, 0);
+  options.scan.correct_clock_offset = false;
+  options.scan.placement.clock_offset = 1e-3;
+  EXPECT_EQ(runJob(job, options, {}).exit, 0);
+}
+
 TEST_F(JobTest, BadInputLeavesAnOlderResultAlone) {
   auto job = request("older");
   job.stop_after = Stage::path;

@@ -22,7 +22,7 @@ class ReferenceStage : public ::testing::Test {
 protected:
   void SetUp() override {
     const Cell cell = makeCell(CellOptions(), source_package);
-    scan_ = fitStage(scanFromSamples(smallScan(), cell, {}, 1, {}), {}, {}, {}, 1, {}).scan;
+    scan_ = fitStage(scanFromSamples(smallScan(), cell, {}, {}, 1, {}), {}, {}, {}, 1, {}).scan;
     reference_ = std::make_shared<geometry::PosedSurface>(std::make_shared<geometry::Saddle>(smallPart()),
                                                           cell.T_base_workpiece);
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <string>
 
@@ -30,7 +32,7 @@ inline scan::SampleLog smallScan() {
 
 /// A directory of this test's own, empty.
 inline std::filesystem::path freshDirectory(const std::string& name) {
-  const std::filesystem::path directory = std::filesystem::path(::testing::TempDir()) / ("scan_to_path_" + name);
+  const std::filesystem::path directory = std::filesystem::path(::testing::TempDir()) / ("scan_to_path_" + std::to_string(::getpid()) + "_" + name);
   std::filesystem::remove_all(directory);
   std::filesystem::create_directories(directory);
   return directory;

@@ -24,7 +24,7 @@ const Accuracy& figure(const std::vector<Accuracy>& figures, const std::string& 
 TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
   const Cell cell = makeCell(CellOptions(), source_package);
   const ScanSection options;
-  const ScanStage samples = scanFromSamples(smallScan(), cell, options, 1, {});
+  const ScanStage samples = scanFromSamples(smallScan(), cell, options, {}, 1, {});
   const ScanStage cloud = scanFromCloud(scan::formatPcd(samples.cloud), "cloud.pcd", Units::m, false, options);
   ASSERT_EQ(cloud.cloud.size(), samples.cloud.size());
   EXPECT_LT(geometry::angleBetween(cloud.mean_beam, samples.mean_beam), 1e-6);
@@ -38,7 +38,7 @@ TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
 
 TEST(Stages, CloudsInMillimetresAreScaledOrSuggested) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
   for (auto& point : samples.cloud) point.getVector3fMap() *= 1000.0F;
   const std::string text = scan::formatPcd(samples.cloud);
   const ScanStage scaled = scanFromCloud(text, "mm.pcd", Units::mm, true, {});
@@ -53,7 +53,7 @@ TEST(Stages, CloudsInMillimetresAreScaledOrSuggested) {
 
 TEST(Stages, TheFitsLimitsComeFromTheOptions) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
   ReportOptions limits;
   limits.max_line_residual = 0.0;
   const FitStage fit = fitStage(samples, {}, {}, limits, 1, {});
@@ -64,7 +64,7 @@ TEST(Stages, TheFitsLimitsComeFromTheOptions) {
 
 TEST(Stages, OnlyRowsOnTheSurfaceAnswerForIt) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  FitStage fit = fitStage(scanFromSamples(smallScan(), cell, {}, 1, {}), {}, {}, {}, 1, {});
+  FitStage fit = fitStage(scanFromSamples(smallScan(), cell, {}, {}, 1, {}), {}, {}, {}, 1, {});
   const auto failures = [&](process::RowSource source) {
     JobOptions options;
     options.path.row_source = source;
@@ -81,7 +81,7 @@ TEST(Stages, OnlyRowsOnTheSurfaceAnswerForIt) {
 
 TEST(Stages, FindingsOfThePathOutrankTheMotions) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
   const FitStage fit = fitStage(samples, {}, {}, {}, 1, {});
   JobOptions options;
   PathStage path = pathStage("cutting", fit.scan, "base_link", options, {});
@@ -101,7 +101,7 @@ TEST(Stages, FindingsOfThePathOutrankTheMotions) {
 
 TEST(Stages, ProgramIsReadBackWithoutDiscrepancy) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, 1, {});
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
   const FitStage fit = fitStage(samples, {}, {}, {}, 1, {});
   const JobOptions options;
   const PathStage path = pathStage("cutting", fit.scan, "base_link", options, {});

@@ -29,8 +29,8 @@ struct ScanStage {
 };
 
 /// Places a sample log's samples and estimates the offset of the clocks.
-ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options, int threads,
-                          const Progress& progress);
+ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options,
+                          const ReportOptions& limits, int threads, const Progress& progress);
 
 /// Takes a cloud from a PCD or PLY text; coordinates are multiplied by metresPerUnit. Sizes are checked for
 /// plausibility unless `units_given`.
