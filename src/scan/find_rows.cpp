@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/median.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::scan {
@@ -60,13 +61,6 @@ Track project(const ScanCloud& cloud, const Frame& T_scan_cloud) {
     track.index.push_back(static_cast<std::uint32_t>(i));
   }
   return track;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Median distance between successive samples that do move.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "median.h"
+#include "scan_to_path/common/median.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/sensing/joint_readings.h"
 #include "scan_to_path/sensing/row_comparison.h"

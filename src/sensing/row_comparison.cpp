@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "median.h"
+#include "scan_to_path/common/median.h"
 
 namespace scan_to_path::sensing {
 namespace {
@@ -140,7 +140,7 @@ double slopeNoise(const std::vector<RowCells>& rows) {
       if (cell.is_valid) sigma.push_back(cell.slope_sigma);
     }
   }
-  return sigma.empty() ? 0.0 : median(std::move(sigma));
+  return median(std::move(sigma));
 }
 
 /// Weights of the third divided difference over the rows' places across, scaled so that their sizes add up to 1.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "median.h"
+#include "scan_to_path/common/median.h"
 
 namespace scan_to_path::sensing {
 namespace {
