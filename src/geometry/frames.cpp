@@ -33,6 +33,27 @@ Eigen::Quaterniond canonicalQuaternion(const Eigen::Matrix3d& R) {
   return q;
 }
 
+Frame snapped(const Frame& pose) {
+  // Three components on a grid and the largest from unit length: errors far below the grid's step change nothing. Of
+  // components that are equal but for such errors the first counts as the largest.
+  constexpr double steps_per_unit = 1e12;
+  constexpr double equal = 1e-6;
+  Eigen::Vector4d c = canonicalQuaternion(pose.linear()).coeffs();
+  const double largest = c.cwiseAbs().maxCoeff();
+  Eigen::Index m = 0;
+  while (std::abs(c[m]) < largest - equal) ++m;
+  double rest = 1.0;
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    if (i == m) continue;
+    c[i] = std::round(c[i] * steps_per_unit) / steps_per_unit + 0.0;  // no negative zero
+    rest -= c[i] * c[i];
+  }
+  c[m] = std::copysign(std::sqrt(rest), c[m]);
+  Frame T = pose;
+  T.linear() = Eigen::Quaterniond(c).toRotationMatrix();
+  return T;
+}
+
 double angleBetween(const Vector3& a, const Vector3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 double rotationAngle(const Eigen::Matrix3d& R_a, const Eigen::Matrix3d& R_b) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "scan_to_path/common/random.h"
 #include "support/surface_oracle.h"
@@ -55,6 +56,44 @@ TEST(Frames, CanonicalQuaternionOfHalfTurnsIsPositive) {
     EXPECT_EQ(canonicalQuaternion(R).vec(), Vector3::Unit(axis));
     EXPECT_EQ(canonicalQuaternion(R).w(), 0.0);
   }
+}
+
+/// What a reader of a file with 12 digits, or of a message, makes of a rotation.
+Eigen::Matrix3d readBack(const Eigen::Matrix3d& R, bool twelve_digits) {
+  Eigen::Vector4d c = canonicalQuaternion(R).coeffs();
+  if (twelve_digits) c = (c * 1e12).array().round() / 1e12;
+  return Eigen::Quaterniond(c).normalized().toRotationMatrix();
+}
+
+/// Rotations at random, half turns, and those with components that are equal but for the last bit.
+std::vector<Frame> rotationsOfAllKinds() {
+  Random random(3);
+  std::vector<Frame> frames;
+  for (int i = 0; i < 20000; ++i) frames.push_back(test::randomFrame(random));
+  for (const double roll : {0.0, M_PI / 2, M_PI, -M_PI / 2, 1e-12}) {
+    for (const double pitch : {0.0, M_PI / 2, 0.3}) {
+      for (const double yaw : {0.0, M_PI / 2, M_PI, 2.0 * M_PI / 3.0})
+        frames.push_back(makeFrame({1, 2, 3}, {roll, pitch, yaw}));
+    }
+  }
+  return frames;
+}
+
+TEST(Frames, SnappedRotationsComeBackToTheLastBit) {
+  std::size_t changed_without = 0;
+  for (const Frame& T : rotationsOfAllKinds()) {
+    const Frame S = snapped(T);
+    // Half a step in each of three components, and in the fourth what unit length makes of it.
+    EXPECT_LT(rotationAngle(S.linear(), T.linear()), 1e-11);
+    EXPECT_EQ(S.translation(), T.translation());
+    for (const bool twelve_digits : {false, true}) {
+      Frame read = S;
+      read.linear() = readBack(S.linear(), twelve_digits);
+      EXPECT_TRUE(snapped(read).matrix() == S.matrix()) << T.matrix();
+    }
+    if (readBack(T.linear(), false) != T.linear()) ++changed_without;
+  }
+  EXPECT_GT(changed_without, 1000u) << "the test's rotations would come back without being snapped";
 }
 
 TEST(Frames, AnglesAreExactWhenSmallAndWhenLarge) {

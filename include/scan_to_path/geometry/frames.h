@@ -22,6 +22,10 @@ Frame frameFromAxes(const Vector3& origin, const Vector3& z, const Vector3& x_hi
 /// rotations are written as equal numbers.
 Eigen::Quaterniond canonicalQuaternion(const Eigen::Matrix3d& R);
 
+/// The pose with its rotation turned by less than 1e-11 rad to one that comes back to the last bit after it was written
+/// as a quaternion, to 12 digits or as doubles: snapped() of what was read equals what was written.
+Frame snapped(const Frame& pose);
+
 /// Angle between two directions of any length [rad], exact for small angles too.
 double angleBetween(const Vector3& a, const Vector3& b);
 
