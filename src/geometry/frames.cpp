@@ -54,6 +54,11 @@ Frame snapped(const Frame& pose) {
   return T;
 }
 
+Vector3 roundedDirection(const Vector3& sum) {
+  constexpr double steps_per_unit = 1e9;
+  return Vector3((sum.normalized() * steps_per_unit).array().round()).normalized();
+}
+
 double angleBetween(const Vector3& a, const Vector3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 double rotationAngle(const Eigen::Matrix3d& R_a, const Eigen::Matrix3d& R_b) {

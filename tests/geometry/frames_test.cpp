@@ -96,6 +96,21 @@ TEST(Frames, SnappedRotationsComeBackToTheLastBit) {
   EXPECT_GT(changed_without, 1000u) << "the test's rotations would come back without being snapped";
 }
 
+TEST(Frames, RoundedDirectionsDoNotDependOnTheOrderOfTheSum) {
+  Random random(4);
+  std::vector<Vector3> directions;
+  const Vector3 mean = test::randomDirection(random);
+  for (int i = 0; i < 20000; ++i) directions.push_back((mean + 0.1 * test::randomDirection(random)).normalized());
+  Vector3 up = Vector3::Zero();
+  for (const auto& direction : directions) up += direction;
+  Vector3 down = Vector3::Zero();
+  for (auto direction = directions.rbegin(); direction != directions.rend(); ++direction) down += *direction;
+  EXPECT_NE(up.normalized(), down.normalized()) << "the test's sums would be the same anyway";
+  EXPECT_EQ(roundedDirection(up), roundedDirection(down));
+  EXPECT_LT(angleBetween(roundedDirection(up), up), 1e-9);  // half a step in each of three components
+  EXPECT_NEAR(roundedDirection(up).norm(), 1.0, 1e-15);
+}
+
 TEST(Frames, AnglesAreExactWhenSmallAndWhenLarge) {
   for (const double angle : {0.0, 1e-12, 1e-6, 0.5, M_PI / 2, M_PI - 1e-9, M_PI}) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix();

@@ -26,6 +26,9 @@ Eigen::Quaterniond canonicalQuaternion(const Eigen::Matrix3d& R);
 /// as a quaternion, to 12 digits or as doubles: snapped() of what was read equals what was written.
 Frame snapped(const Frame& pose);
 
+/// The unit direction of a sum, on a grid of 1e-9: it does not depend on the order in which the sum was formed.
+Vector3 roundedDirection(const Vector3& sum);
+
 /// Angle between two directions of any length [rad], exact for small angles too.
 double angleBetween(const Vector3& a, const Vector3& b);
 
