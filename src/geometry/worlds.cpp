@@ -53,49 +53,40 @@ SurfacePoint Plane::closestPoint(const Vector3& p) const { return {radial(p), Ve
 
 PrincipalCurvatures Plane::curvatures(const Vector3&) const { return {}; }
 
-Sphere::Sphere(double radius) : radius_(radius) { requireRadius("sphere", "radius", radius); }
-
-std::optional<RayHit> Sphere::castRay(const Ray& ray, double max_distance) const {
-  const double b = ray.origin.dot(ray.direction);
-  const double c = (ray.origin.norm() - radius_) * (ray.origin.norm() + radius_);
-  const auto t = firstQuadraticRoot(1.0, b, c, max_distance);
-  if (!t) return std::nullopt;
-  const SurfacePoint hit = closestPoint(ray.origin + *t * ray.direction);
-  return RayHit{*t, hit.point, hit.normal};
+RoundSurface::RoundSurface(const char* name, double radius, const Vector3& across) : radius_(radius), across_(across) {
+  requireRadius(name, "radius", radius);
 }
 
-SurfacePoint Sphere::closestPoint(const Vector3& p) const {
-  const Vector3 normal = outward(p, Vector3::UnitZ());
-  return {radius_ * normal, normal};
-}
-
-PrincipalCurvatures Sphere::curvatures(const Vector3& p) const {
-  const Vector3 normal = closestPoint(p).normal;
-  const Vector3 tangent = anyOrthogonal(normal);
-  return {1.0 / radius_, 1.0 / radius_, tangent, normal.cross(tangent)};
-}
-
-Cylinder::Cylinder(double radius) : radius_(radius) { requireRadius("cylinder", "radius", radius); }
-
-std::optional<RayHit> Cylinder::castRay(const Ray& ray, double max_distance) const {
-  const Vector3 o = radial(ray.origin);
-  const Vector3 d = radial(ray.direction);
+std::optional<RayHit> RoundSurface::castRay(const Ray& ray, double max_distance) const {
+  const Vector3 o = fromCentre(ray.origin);
+  const Vector3 d = fromCentre(ray.direction);
   const double a = d.squaredNorm();
-  if (a == 0.0) return std::nullopt;
+  if (a == 0.0) return std::nullopt;  // along the axis
   const auto t = firstQuadraticRoot(a, o.dot(d), (o.norm() - radius_) * (o.norm() + radius_), max_distance);
   if (!t) return std::nullopt;
   const SurfacePoint hit = closestPoint(ray.origin + *t * ray.direction);
   return RayHit{*t, hit.point, hit.normal};
 }
 
-SurfacePoint Cylinder::closestPoint(const Vector3& p) const {
-  const Vector3 normal = outward(radial(p), Vector3::UnitX());
-  return {radius_ * normal + Vector3(0.0, 0.0, p.z()), normal};
+SurfacePoint RoundSurface::closestPoint(const Vector3& p) const {
+  const Vector3 from_centre = fromCentre(p);
+  const Vector3 normal = outward(from_centre, Vector3::UnitX());
+  return {p - from_centre + radius_ * normal, normal};
 }
+
+Sphere::Sphere(double radius) : RoundSurface("sphere", radius, {1.0, 1.0, 1.0}) {}
+
+PrincipalCurvatures Sphere::curvatures(const Vector3& p) const {
+  const Vector3 normal = closestPoint(p).normal;
+  const Vector3 tangent = anyOrthogonal(normal);
+  return {curvature(), curvature(), tangent, normal.cross(tangent)};
+}
+
+Cylinder::Cylinder(double radius) : RoundSurface("cylinder", radius, {1.0, 1.0, 0.0}) {}
 
 PrincipalCurvatures Cylinder::curvatures(const Vector3& p) const {
   const Vector3 normal = closestPoint(p).normal;
-  return {0.0, 1.0 / radius_, Vector3::UnitZ(), Vector3::UnitZ().cross(normal)};
+  return {0.0, curvature(), Vector3::UnitZ(), Vector3::UnitZ().cross(normal)};
 }
 
 Torus::Torus(double major_radius, double minor_radius) : major_(major_radius), minor_(minor_radius) {
