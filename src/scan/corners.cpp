@@ -2,18 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "scan_to_path/scan/line_fit.h"
 
 namespace scan_to_path::scan {
 namespace {
 
-/// Sums from which the slope of any stretch of samples follows.
+constexpr std::size_t least_side = 3;  ///< samples: two have no residual that could tell noise from a bend
+
+/// Least-squares line through a stretch of samples.
+struct Direction {
+  double variance = 0.0;    ///< of the samples' x, summed [m^2]
+  double covariance = 0.0;  ///< of x and height, summed [m^2]
+  double residual = 0.0;    ///< squares of heights off the line, summed [m^2]
+
+  double angle() const { return std::atan2(covariance, variance); }  ///< [rad]
+
+  /// Squares of distances off the line, summed [m^2].
+  double offLine() const {
+    const double square = variance * variance + covariance * covariance;
+    return square > 0.0 ? residual * variance * variance / square : 0.0;
+  }
+};
+
+/// Sums from which the least-squares line through any stretch of samples follows.
 struct PrefixSums {
-  std::vector<double> x, z, xx, xz;
+  std::vector<double> x, z, xx, xz, zz;
 
   explicit PrefixSums(const RowPiece& piece) {
-    for (auto* sums : {&x, &z, &xx, &xz}) sums->assign(piece.size() + 1, 0.0);
+    for (auto* sums : {&x, &z, &xx, &xz, &zz}) sums->assign(piece.size() + 1, 0.0);
     const double x0 = piece.x.front();
     const double z0 = piece.z.front();
     for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -23,16 +42,20 @@ struct PrefixSums {
       z[i + 1] = z[i] + dz;
       xx[i + 1] = xx[i] + dx * dx;
       xz[i + 1] = xz[i] + dx * dz;
+      zz[i + 1] = zz[i] + dz * dz;
     }
   }
 
-  /// Direction angle of the least-squares line through samples [begin, end).
-  double direction(std::size_t begin, std::size_t end) const {
+  /// Of samples [begin, end).
+  Direction direction(std::size_t begin, std::size_t end) const {
     const double n = static_cast<double>(end - begin);
     const double sx = x[end] - x[begin];
+    const double sz = z[end] - z[begin];
     const double variance = xx[end] - xx[begin] - sx * sx / n;
-    const double covariance = xz[end] - xz[begin] - sx * (z[end] - z[begin]) / n;
-    return std::atan2(covariance, variance);
+    const double covariance = xz[end] - xz[begin] - sx * sz / n;
+    const double height = zz[end] - zz[begin] - sz * sz / n;
+    const double explained = variance > 0.0 ? covariance * covariance / variance : 0.0;
+    return {variance, covariance, std::max(0.0, height - explained)};
   }
 };
 
@@ -41,20 +64,89 @@ class BendFinder {
 public:
   BendFinder(const RowPiece& piece, double window) : piece_(piece), sums_(piece), window_(window) {}
 
-  /// Change of direction at sample i between windows of the given length on both sides; 0 where they do not fit in.
-  double bend(std::size_t i, double window) const {
-    if (piece_.x[i] - window < piece_.x.front() || piece_.x[i] + window > piece_.x.back()) return 0.0;
-    const auto begin = lowerBound(piece_.x[i] - window);
-    const auto end = lowerBound(piece_.x[i] + window);
-    constexpr std::size_t least = 3;
-    if (i < begin + least || end < i + least) return 0.0;
-    return sums_.direction(i, end) - sums_.direction(begin, i);
+  /// Length of the shorter window at sample i [m].
+  double shorterWindow(std::size_t i) const {
+    return std::min({window_, piece_.x[i] - piece_.x.front(), piece_.x.back() - piece_.x[i]});
   }
 
-  /// A corner keeps its angle over half of the window; a round keeps half of it.
-  bool isSharp(std::size_t i, double angle) const { return std::abs(bend(i, 0.5 * window_)) > 0.75 * angle; }
+  /// Change of direction at sample i between windows of the given length on both sides, cut off at the piece's ends;
+  /// 0 where one of them holds too few samples.
+  double bend(std::size_t i, double window) const {
+    const auto [begin, end] = around(i, window);
+    if (i < begin + least_side || end < i + least_side) return 0.0;
+    return sums_.direction(i, end).angle() - sums_.direction(begin, i).angle();
+  }
+
+  /// The sample about which the bend is largest, from `from` to the end of one window.
+  std::size_t sharpest(std::size_t from) const {
+    std::size_t best = from;
+    double largest = 0.0;
+    for (std::size_t i = from; i < piece_.size() && piece_.x[i] <= piece_.x[from] + window_; ++i) {
+      const double angle = std::abs(bend(i, window_));
+      if (angle > largest) best = i;
+      largest = std::max(largest, angle);
+    }
+    return best;
+  }
+
+  /// The corner about sample i, where the bend is largest. With a window cut short that may be the steepest noise of
+  /// few samples instead: there it is where two lines, one on each side, leave the least residual in both windows
+  /// together.
+  Corner corner(std::size_t i) const {
+    Corner best{i, std::abs(bend(i, window_))};
+    if (!isCutShort(i)) return best;
+    const auto [begin, end] = around(i, window_);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = begin + least_side; k + least_side <= end; ++k) {
+      const double residual = sums_.direction(begin, k).offLine() + sums_.direction(k, end).offLine();
+      if (residual < least) best.index = k;
+      least = std::min(least, residual);
+    }
+    best.angle = std::abs(bend(best.index, window_));
+    return best;
+  }
+
+  /// A corner keeps its angle when the windows get shorter; a round that fills them keeps two thirds of it at most.
+  bool isSharp(const Corner& corner) const {
+    const std::size_t i = corner.index;
+    const auto [begin, end] = around(i, window_);
+    const auto [half_begin, half_end] = around(i, 0.5 * window_);
+    const std::size_t before = shortened(i - begin, i - half_begin);
+    const std::size_t after = shortened(end - i, half_end - i);
+    return std::abs(sums_.direction(i, i + after).angle() - sums_.direction(i - before, i).angle()) >
+           0.75 * corner.angle;
+  }
+
+  /// Whether the bend stands out from the scatter of both directions that the samples' own residuals explain. Whole
+  /// windows hold samples enough for any corner_angle.
+  bool isAboveNoise(const Corner& corner) const {
+    if (!isCutShort(corner.index)) return true;
+    constexpr double sigmas = 6.0;  // Student's t of 20 samples: one false corner in a hundred thousand
+    const auto [begin, end] = around(corner.index, window_);
+    const Direction before = sums_.direction(begin, corner.index);
+    const Direction after = sums_.direction(corner.index, end);
+    const double freedom = static_cast<double>(end - begin) - 4.0;
+    const double noise = (before.residual + after.residual) / freedom;
+    // A slope s scatters by noise / variance; its angle by cos^2 of it, which is squared here.
+    const auto scatter = [noise](const Direction& side) {
+      return noise * std::pow(std::cos(side.angle()), 4) / side.variance;
+    };
+    return corner.angle * corner.angle > sigmas * sigmas * (scatter(before) + scatter(after));
+  }
 
 private:
+  bool isCutShort(std::size_t i) const { return shorterWindow(i) < window_; }
+
+  /// Half of the samples on one side; where the piece's end cuts a window short, not so few that noise decides.
+  static std::size_t shortened(std::size_t in_window, std::size_t in_half_window) {
+    constexpr std::size_t enough = 6;
+    return std::min(in_half_window, std::max(in_window / 2, enough));
+  }
+
+  std::pair<std::size_t, std::size_t> around(std::size_t i, double window) const {
+    return {lowerBound(piece_.x[i] - window), lowerBound(piece_.x[i] + window)};
+  }
+
   std::size_t lowerBound(double x) const {
     return static_cast<std::size_t>(std::lower_bound(piece_.x.begin(), piece_.x.end(), x) - piece_.x.begin());
   }
@@ -63,17 +155,6 @@ private:
   PrefixSums sums_;
   double window_;
 };
-
-/// The sample about which the bend is largest, from `from` to the end of one window.
-Corner sharpest(const BendFinder& finder, const RowPiece& piece, std::size_t from, double window) {
-  Corner corner;
-  const double until = piece.x[from] + window;
-  for (std::size_t i = from; i < piece.size() && piece.x[i] <= until; ++i) {
-    const double angle = std::abs(finder.bend(i, window));
-    if (angle > corner.angle) corner = {i, angle};
-  }
-  return corner;
-}
 
 }  // namespace
 
@@ -86,10 +167,12 @@ std::vector<Corner> findCorners(const RowPiece& piece, const LineFitOptions& opt
   double next = piece.x.front();
   for (std::size_t i = 1; i < piece.size(); ++i) {
     if (piece.x[i] < next) continue;
-    next = piece.x[i] + 0.25 * window;  // half way into a window a corner still shows three quarters of its angle
+    // Half way into a window a corner still shows three quarters of its angle.
+    next = piece.x[i] + 0.25 * finder.shorterWindow(i);
     if (std::abs(finder.bend(i, window)) < 0.5 * options.corner_angle) continue;
-    const Corner corner = sharpest(finder, piece, i, window);
-    if (corner.angle < options.corner_angle || !finder.isSharp(corner.index, corner.angle)) continue;
+    const Corner corner = finder.corner(finder.sharpest(i));
+    if (corner.angle < options.corner_angle || !finder.isSharp(corner) || !finder.isAboveNoise(corner)) continue;
+    if (!corners.empty() && corner.index <= corners.back().index) continue;
     corners.push_back(corner);
     next = piece.x[corner.index] + window;
   }

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -130,6 +131,71 @@ TEST(LineFit, ACornerSplitsTheLine) {
   off.corner_angle = 3.0;
   EXPECT_TRUE(findCorners(rows.pieces[0], off).empty());
   EXPECT_GT(largestError(fitLines(rows, off).lines[0], roof), 20e-6);
+}
+
+/// Level, then falling at 45 degrees over the last `length`.
+Height chamferedEnd(double length) {
+  return [length](double x) { return std::min(0.0, 0.1 - length - x); };
+}
+
+SampleRows mirrored(SampleRows rows) {
+  for (RowPiece& piece : rows.pieces) {
+    for (double& x : piece.x) x = 0.1 - x;
+    for (auto* values : {&piece.x, &piece.y, &piece.z}) std::reverse(values->begin(), values->end());
+  }
+  return rows;
+}
+
+/// Largest height of what is beside the corner, `length` from either end, off the fitted lines.
+double largestErrorOfEnds(const SampleRows& rows, const Height& z) {
+  double largest = 0.0;
+  for (const FittedLine& line : fitLines(rows, {}).lines) largest = std::max(largest, largestError(line, z));
+  return largest;
+}
+
+TEST(LineFit, ACornerNearALinesEndSplitsIt) {
+  // All shorter than the corner window of 1 mm; the shortest leaves four samples beyond the corner.
+  for (const double length : {0.2e-3, 0.3e-3, 0.5e-3, 0.95e-3}) {
+    const Height z = chamferedEnd(length);
+    const SampleRows rows = rowsOf(z, 10e-6, 40);
+    const SampleRows reversed = mirrored(rows);
+    for (const RowPiece& piece : rows.pieces) {
+      const auto corners = findCorners(piece, {});
+      ASSERT_EQ(corners.size(), 1u) << length;
+      EXPECT_NEAR(piece.x[corners[0].index], 0.1 - length, 110e-6);  // two samples
+    }
+    for (const RowPiece& piece : reversed.pieces) EXPECT_EQ(findCorners(piece, {}).size(), 1u) << length;
+    // At most two samples of the slope go along with the level, 100 um down, and the noise of a line's end is below 3
+    // sigma.
+    EXPECT_LT(largestErrorOfEnds(rows, z), 100e-6) << length;
+    EXPECT_LT(largestErrorOfEnds(reversed, [&](double x) { return z(0.1 - x); }), 100e-6) << length;
+  }
+}
+
+TEST(LineFit, SamplesBeyondACornerTooFewToFitAreCounted) {
+  const SampleRows rows = rowsOf(chamferedEnd(0.25e-3), 2e-6);
+  const FittedLines fitted = fitLines(rows, {});
+  EXPECT_EQ(fitted.lines.size(), 5u);
+  EXPECT_FALSE(fitted.lines[0].ends_at_edge);
+  ASSERT_EQ(fitted.dropped.size(), 1u);
+  EXPECT_EQ(fitted.dropped[0].reason, "too short to fit");
+  EXPECT_NEAR(static_cast<double>(fitted.dropped[0].count), 5.0 * 5.0, 5.0);
+}
+
+TEST(LineFit, NoisyAndRoundEndsAreNoCorners) {
+  // Four samples of 10 um noise, 50 um apart, have a slope that scatters by 0.09: not one of 2000 ends may show.
+  std::size_t corners = 0;
+  for (const RowPiece& piece : rowsOf(wave, 10e-6, 1000).pieces) corners += findCorners(piece, {}).size();
+  EXPECT_EQ(corners, 0u);
+  // A round of 2 mm and of 4 mm radius towards the end, down to a slope of 45 degrees.
+  for (const double radius : {2e-3, 4e-3}) {
+    const Height round = [radius](double x) {
+      const double s = x - (0.1 - radius * std::sqrt(0.5));
+      return s > 0.0 ? std::sqrt(radius * radius - s * s) - radius : 0.0;
+    };
+    for (const RowPiece& piece : rowsOf(round, 2e-6, 20).pieces) corners += findCorners(piece, {}).size();
+  }
+  EXPECT_EQ(corners, 0u);
 }
 
 TEST(LineFit, RoundsAndNoiseAreNoCorners) {

@@ -36,7 +36,8 @@ struct Corner {
 };
 
 /// Bends sharper than corner_angle that do not get milder over half of the window, as a round would: the directions
-/// are those of least-squares lines on both sides. O(samples).
+/// are those of least-squares lines on both sides. Towards the piece's ends the windows are cut short, down to three
+/// samples, and the bend must be six times what the samples' noise makes of it. O(samples).
 std::vector<Corner> findCorners(const RowPiece& piece, const LineFitOptions& options);
 
 struct FittedLines {
