@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "keep_samples.h"
 #include "scan_to_path/common/parallel.h"
 #include "spikes.h"
 
@@ -144,23 +145,6 @@ Filtered cutAtJumps(RowPiece piece, const FilterOptions& options) {
   return filtered;
 }
 
-std::size_t removeMarked(RowPiece& piece, const std::vector<char>& marked) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    if (marked[i] != 0) continue;
-    piece.x[kept] = piece.x[i];
-    piece.y[kept] = piece.y[i];
-    piece.z[kept] = piece.z[i];
-    piece.index[kept++] = piece.index[i];
-  }
-  const std::size_t removed = piece.size() - kept;
-  piece.x.resize(kept);
-  piece.y.resize(kept);
-  piece.z.resize(kept);
-  piece.index.resize(kept);
-  return removed;
-}
-
 /// Where samples are missing the gap counts in space: a wall under a grazing beam goes on for millimetres meanwhile.
 bool isGap(const RowPiece& piece, std::size_t a, std::size_t b, double max_gap, double spacing) {
   constexpr double missing = 3.0;  // spacings
@@ -189,7 +173,8 @@ void finishRow(Filtered& row, const PieceResiduals& residuals, double limit, dou
   const double max_gap = std::max(options.max_gap, 5.0 * spacing);
   std::vector<RowPiece> cut;
   for (std::size_t k = 0; k < row.pieces.size(); ++k) {
-    row.spikes += removeMarked(row.pieces[k], findSpikes(row.pieces[k], residuals[k], limit));
+    const std::vector<char> spikes = findSpikes(row.pieces[k], residuals[k], limit);
+    row.spikes += keepSamples(row.pieces[k], [&](std::size_t i) { return spikes[i] == 0; });
     if (row.pieces[k].size() > 0) cutAtGaps(std::move(row.pieces[k]), max_gap, spacing, cut);
   }
   row.pieces.clear();
