@@ -42,14 +42,12 @@ ScanTables makeTables(const FittedScan& scan) {
   ScanTables tables;
   tables.T_scan_cloud = scan.T_cloud_scan.inverse();
   tables.lines.reserve(scan.lines.size());
-  tables.row_first.push_back(0);
   for (const FittedLine& line : scan.lines) {
     const auto row = static_cast<std::size_t>(std::max(line.row, 0));
     while (tables.row_first.size() < row + 1) {
       tables.row_first.push_back(tables.lines.size());
       tables.row_forward.push_back(1);
     }
-    if (tables.row_forward.size() < row + 1) tables.row_forward.push_back(line.forward ? 1 : 0);
     tables.row_forward[row] = line.forward ? 1 : 0;
     tables.lines.emplace_back(line, tables.T_scan_cloud);
   }

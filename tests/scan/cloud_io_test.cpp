@@ -6,7 +6,6 @@
 
 #include <cstring>
 
-#include "../src/scan/lzf.h"
 #include "scan_to_path/common/random.h"
 #include "support/expect_input_error.h"
 
@@ -110,17 +109,6 @@ TEST(CloudIo, CompressedFieldsLieOneAfterTheOther) {
   ASSERT_EQ(file.cloud.size(), 100u);
   for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(file.cloud[i].z, cloud[i].z);
   expectInputError([&] { parseCloud(text.substr(0, text.size() - 1), "f"); }, "f: compressed data is cut off");
-}
-
-TEST(CloudIo, LzfCopiesBackReferences) {
-  // "abc", then 9 bytes from 3 before (over itself), then 20 from 12 before in the long form.
-  const std::string packed = std::string("\x02") + "abc" + std::string("\xe0\x00\x02", 3) + std::string("\xe0\x0b\x0b", 3);
-  EXPECT_EQ(expandLzf(packed, 32).value_or(""), "abcabcabcabcabcabcabcabcabcabcab");
-  EXPECT_FALSE(expandLzf(packed, 31));
-  EXPECT_FALSE(expandLzf(packed, 33));
-  EXPECT_FALSE(expandLzf(std::string("\x20\x05", 2), 3));  // refers to before the start
-  EXPECT_FALSE(expandLzf("", std::size_t{1} << 40));
-  EXPECT_FALSE(expandLzf(std::string("\x05" "ab"), 6));
 }
 
 TEST(CloudIo, PlyWithoutFaces) {
