@@ -7,5 +7,5 @@ install(TARGETS scan_to_path_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/scan_to_path DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${CMAKE_BINARY_DIR}/include/scan_to_path/common/version.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scan_to_path/common)
-install(DIRECTORY urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/scan_to_path)
+install(DIRECTORY config urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/scan_to_path)
 set_target_properties(scan_to_path_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
