@@ -110,7 +110,7 @@ Score score(const std::vector<Target>& targets, const std::vector<std::size_t>& 
       ++failing;
       continue;
     }
-    const JointVector step = (knots.back() - (knots.size() > 1 ? knots[knots.size() - 2] : q)).cwiseAbs();
+    const JointVector step = robot::largestTurns(robot, knots.size() > 1 ? knots[knots.size() - 2] : q, knots.back());
     const double margin = robot::limitMargin(robot, knots.back());
     least_margin = std::min(least_margin, margin);
     const bool is_jump = before != nullptr && step.maxCoeff() > options.max_joint_step;
@@ -208,7 +208,7 @@ private:
   }
 
   void addMove(const Target& target, const JointVector& q, Arrival& arrival) {
-    const JointVector step = (q - plan_.trajectory.points.back().q).cwiseAbs();
+    const JointVector step = robot::largestTurns(robot_, plan_.trajectory.points.back().q, q);
     const Vector3 tcp_before = tcp_;
     append(target, q);
     const double length = (tcp_ - tcp_before).norm();

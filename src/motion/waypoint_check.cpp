@@ -28,16 +28,17 @@ struct Finding {
 std::string withUnit(double value, const char* unit) { return fixed(value, 4) + (*unit != 0 ? " " : "") + unit; }
 
 Finding jointLimit(const robot::Robot& robot, const JointVector& q, const MotionOptions& options) {
-  int i = 0;
-  const double margin = robot::limitMargin(robot, q, &i) - options.joint_limit_margin;
-  const robot::Joint& joint = robot.joints[static_cast<std::size_t>(i)];
-  const bool is_upper = joint.upper - q[i] < q[i] - joint.lower;
-  const double limit = is_upper ? joint.upper - options.joint_limit_margin : joint.lower + options.joint_limit_margin;
+  const robot::NearestLimit nearest = robot::nearestLimit(robot, q);
+  const double margin = nearest.margin - options.joint_limit_margin;
+  const bool is_upper = nearest.upper - nearest.angle < nearest.angle - nearest.lower;
+  const double limit =
+      is_upper ? nearest.upper - options.joint_limit_margin : nearest.lower + options.joint_limit_margin;
   return {Verdict::joint_limit,
           margin,
-          std::isfinite(margin) ? margin / (0.5 * (joint.upper - joint.lower)) : infinity,
+          std::isfinite(margin) ? margin / (0.5 * (nearest.upper - nearest.lower)) : infinity,
           "rad",
-          joint.name + " is at " + withUnit(q[i], "rad") + ", limit " + withUnit(limit, "rad"),
+          robot::limitName(robot, nearest) + " is at " + withUnit(nearest.angle, "rad") + ", limit " +
+              withUnit(limit, "rad"),
           "move or turn the part, or change the tool's lead and tilt"};
 }
 

@@ -54,11 +54,11 @@ fs::path resolveFile(const std::string& address, const std::vector<fs::path>& pa
 Cell makeCell(const CellOptions& options, const std::vector<fs::path>& package_path) {
   validate(options, "cell");
   sensing::validateLaser(options.laser);
-  const robot::Robot robot =
-      robot::readRobot(resolveFile(options.robot, package_path), options.base_link, options.tip_link);
+  robot::Robot robot = robot::readRobot(resolveFile(options.robot, package_path), options.base_link, options.tip_link);
+  robot.coupled_axis = robot::coupledAxis(options.axis_coupling, robot);
   checkFrameNames(robot);
   return Cell{robot,
-              robot::Encoders(options.encoders, robot.dof()),
+              robot::Encoders(options.encoders, robot),
               options.laser,
               mounted(options.sensor, "sensor", options.tip_link),
               mounted(options.tool, "tool", options.tip_link),

@@ -53,18 +53,4 @@ AxisConfiguration axisConfiguration(const robot::Robot& robot, const robot::Join
           (behind_axis_1 ? 4 : 0) + (behind_lower_arm ? 2 : 0) + (wrist_negative ? 1 : 0)};
 }
 
-bool hasParallelLinkage(const robot::Robot& robot, Linkage linkage) {
-  if (linkage != Linkage::automatic) return linkage == Linkage::parallel;
-  for (const char* model : {"irb1400", "irb2400", "irb4400", "irb6400"}) {
-    if (robot.name.find(model) != std::string::npos) return true;
-  }
-  return false;
-}
-
-robot::JointVector controllerAxes(const robot::Robot& robot, Linkage linkage, const robot::JointVector& q) {
-  robot::JointVector axes = q;
-  if (hasParallelLinkage(robot, linkage) && axes.size() > 2) axes[2] += axes[1];
-  return axes;
-}
-
 }  // namespace scan_to_path::program

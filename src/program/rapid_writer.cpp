@@ -79,7 +79,7 @@ void appendData(std::string& module, const ProgramInput& input, const std::vecto
                 const geometry::Vector3& shift, const SpeedTable& speeds) {
   appendTool(module, input);
   appendWorkobject(module, input, shift);
-  const JointVector axes = controllerAxes(input.robot, input.options.linkage, moves.front().q);
+  const JointVector axes = robot::controllerAxes(input.robot, moves.front().q);
   module += "  CONST jointtarget start_axes := [\n    " + rapidAxes(axes) + ",\n    " + no_external_axes + "];\n";
   const Frame start = Eigen::Translation3d(-shift) * moves.front().T_workobject_tcp;
   module += "  CONST pose start_pose :=\n    " + poseOnTwoLines(start) + ";\n";

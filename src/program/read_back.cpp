@@ -5,7 +5,6 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
-#include "scan_to_path/program/axis_configuration.h"
 #include "scan_to_path/program/program.h"
 #include "scan_to_path/program/rapid_reader.h"
 
@@ -27,6 +26,13 @@ constexpr double start_angle_limit = 2.0 * angle_limit;          // [rad]
 /// Angle between two rotations [rad] from the distance of their matrices: |A - B| = 2 sqrt(2) sin(angle / 2).
 double rotationDistance(const Frame& a, const Frame& b) {
   return 2.0 * std::asin(std::min(1.0, (a.linear() - b.linear()).norm() / std::sqrt(8.0)));
+}
+
+/// What the other joints add to a coupled axis [rad].
+double otherJoints(const robot::CoupledAxis& coupled, const JointVector& q) {
+  double sum = 0.0;
+  for (const int joint : coupled.joints) sum += joint == coupled.axis ? 0.0 : q[joint];
+  return sum;
 }
 
 /// A waypoint as the plan has it.
@@ -141,7 +147,8 @@ private:
 
   /// Quadrants by their definition: 90 cf <= angle <= 90 (cf + 1) degrees.
   void checkAxes(const RapidMove& move, const Expected& at) {
-    const JointVector axes = controllerAxes(input_.robot, input_.options.linkage, *at.q);
+    JointVector axes = *at.q;
+    if (const auto& coupled = input_.robot.coupled_axis) axes[coupled->axis] += otherJoints(*coupled, *at.q);
     constexpr std::array<int, 3> joints = {0, 3, 5};
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const double lower = right_angle * move.configuration[i];
@@ -157,11 +164,21 @@ private:
       report(&at, "cfx " + std::to_string(move.configuration[3]) + " does not fit axis 5 at " +
                       fixed(degrees_per_radian * axes[4], 3) + " deg", &move);
     }
-    const auto& limits = input_.robot.joints[2];
-    if (axes[2] < limits.lower || axes[2] > limits.upper) {
-      report(&at, "axis 3 would stand at " + fixed(degrees_per_radian * axes[2], 3) + " deg on the controller, limits " +
-                      fixed(degrees_per_radian * limits.lower, 1) + " and " +
-                      fixed(degrees_per_radian * limits.upper, 1) + " deg", &move);
+    checkRanges(move, at, axes);
+  }
+
+  /// What the controller checks by itself: every axis within its own range.
+  void checkRanges(const RapidMove& move, const Expected& at, const JointVector& axes) {
+    for (int i = 0; i < 6; ++i) {
+      const auto& joint = input_.robot.joints[static_cast<std::size_t>(i)];
+      const auto& coupled = input_.robot.coupled_axis;
+      const bool is_coupled = coupled && coupled->axis == i;
+      const double lower = is_coupled ? coupled->lower : joint.lower;
+      const double upper = is_coupled ? coupled->upper : joint.upper;
+      if (axes[i] >= lower && axes[i] <= upper) continue;
+      report(&at, "axis " + std::to_string(i + 1) + " would stand at " + fixed(degrees_per_radian * axes[i], 3) +
+                      " deg on the controller, limits " + fixed(degrees_per_radian * lower, 1) + " and " +
+                      fixed(degrees_per_radian * upper, 1) + " deg", &move);
     }
   }
 
@@ -189,10 +206,9 @@ private:
     if (move.type != RapidMoveType::absolute_joint) return report(&at, "the first move is not MoveAbsJ", &move);
     if (!move.stop) report(&at, "no stop at the start", &move);
     if (move.process_on) report(&at, "process is on while the arm moves to the start", &move);
-    const bool parallel = hasParallelLinkage(input_.robot, input_.options.linkage);
     JointVector q(6);
     for (int i = 0; i < 6; ++i) q[i] = move.axes[static_cast<std::size_t>(i)];
-    if (parallel) q[2] -= q[1];
+    if (const auto& coupled = input_.robot.coupled_axis) q[coupled->axis] -= otherJoints(*coupled, q);
     for (int i = 0; i < 6; ++i) {
       if (!(std::abs(q[i] - (*at.q)[i]) <= axis_limit)) {
         report(&at, "start angle of joint " + std::to_string(i + 1) + " is " + fixed(degrees_per_radian * q[i], 6) +

@@ -27,6 +27,14 @@ bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 bool isSign(double value) { return value == 1.0 || value == -1.0; }
 bool isFinite(double value) { return std::isfinite(value); }
 
+/// L^-1: the controller's axes from the joints.
+Eigen::MatrixXd axesFromJoints(const Robot& robot) {
+  Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(robot.dof(), robot.dof());
+  if (!robot.coupled_axis) return axes;
+  for (const int joint : robot.coupled_axis->joints) axes(robot.coupled_axis->axis, joint) = 1.0;
+  return axes;
+}
+
 Eigen::MatrixXd couplingMatrix(const std::vector<double>& values, int joints) {
   if (values.empty()) return Eigen::MatrixXd::Identity(joints, joints);
   checkList(values, static_cast<std::size_t>(joints * joints), "coupling", "finite", isFinite);
@@ -36,7 +44,8 @@ Eigen::MatrixXd couplingMatrix(const std::vector<double>& values, int joints) {
 
 }  // namespace
 
-Encoders::Encoders(const EncoderOptions& options, int joints) {
+Encoders::Encoders(const EncoderOptions& options, const Robot& robot) {
+  const int joints = robot.dof();
   const auto n = static_cast<std::size_t>(joints);
   checkList(options.counts_per_turn, n, "counts_per_turn", "> 0", isPositive);
   checkList(options.gear_ratio, n, "gear_ratio", "> 0", isPositive);
@@ -51,9 +60,11 @@ Encoders::Encoders(const EncoderOptions& options, int joints) {
     const auto k = static_cast<std::size_t>(i);
     angle_per_count[i] = options.sign[k] * 2.0 * M_PI / (options.counts_per_turn[k] * options.gear_ratio[k]);
   }
-  // Spec cutting, step 1: theta = C diag(sign 2 pi / (counts gear)) pulses + offset.
-  angles_from_counts_ = C * angle_per_count.asDiagonal();
-  counts_from_angles_ = angle_per_count.cwiseInverse().asDiagonal() * decomposition.inverse();
+  // Spec cutting, step 1: theta = C diag(sign 2 pi / (counts gear)) pulses + offset, its C being L times
+  // options.coupling.
+  const Eigen::MatrixXd axes = axesFromJoints(robot);
+  angles_from_counts_ = axes.inverse() * C * angle_per_count.asDiagonal();
+  counts_from_angles_ = angle_per_count.cwiseInverse().asDiagonal() * decomposition.inverse() * axes;
   offset_ = Eigen::Map<const Eigen::VectorXd>(options.offset.data(), joints);
 }
 

@@ -83,10 +83,11 @@ bool sameConfiguration(const JointVector& a, const JointVector& b) {
   return true;
 }
 
-/// Appends every variant of `q` by whole turns that is within the limits; a continuous joint has one, nearest to 0.
+/// Appends every variant of `q` by whole turns that is within the limits, the coupled axis's too; a continuous joint
+/// has one, nearest to 0.
 void appendTurns(const Robot& robot, JointVector q, int joint, std::vector<JointVector>& found) {
   if (joint == robot.dof()) {
-    found.push_back(q);
+    if (coupledMargin(robot, q) >= 0.0) found.push_back(q);
     return;
   }
   const Joint& limits = robot.joints[static_cast<std::size_t>(joint)];

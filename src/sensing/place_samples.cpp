@@ -52,6 +52,21 @@ std::vector<double> angleOfOneCount(const robot::Robot& robot, const robot::Enco
   return {sum.data(), sum.data() + sum.size()};
 }
 
+/// A controller does not let its axis out of its range: a log that does was not read as the controller counts.
+void checkCoupledAxis(const Placement& placement, const robot::JointVector& angles, std::size_t sample) {
+  if (!placement.robot.coupled_axis) return;
+  double tolerance = 0.0;
+  for (const int joint : placement.robot.coupled_axis->joints) {
+    tolerance += placement.tolerance[static_cast<std::size_t>(joint)];
+  }
+  if (robot::coupledMargin(placement.robot, angles) >= -tolerance) return;
+  const robot::CoupledAxis& coupled = *placement.robot.coupled_axis;
+  const double angle = robot::controllerAxes(placement.robot, angles)[coupled.axis];
+  throw InputError("sample " + std::to_string(sample) + " at " + fixed(placement.log.sensor_time[sample], 6) + " s",
+                   robot::coupledAxisName(placement.robot), fixed(angle, 6) + " rad",
+                   "in [" + fixed(coupled.lower, 6) + ", " + fixed(coupled.upper, 6) + "]");
+}
+
 void checkLimits(const Placement& placement, const robot::JointVector& angles, std::size_t sample) {
   for (std::size_t k = 0; k < placement.robot.joints.size(); ++k) {
     const auto& joint = placement.robot.joints[k];
@@ -61,6 +76,7 @@ void checkLimits(const Placement& placement, const robot::JointVector& angles, s
                      joint.name, fixed(q, 6) + " rad",
                      "in [" + fixed(joint.lower, 6) + ", " + fixed(joint.upper, 6) + "]");
   }
+  checkCoupledAxis(placement, angles, sample);
 }
 
 void placeBlock(const Placement& placement, std::size_t begin, std::size_t end, scan::ScanPoint* points, Block& block) {

@@ -46,11 +46,10 @@ robot::JointVector refined(const robot::Robot& robot, const Frame& T_base_tip, r
 }
 
 std::string limitFailure(const robot::Robot& robot, const robot::JointVector& q) {
-  int joint = 0;
-  if (robot::limitMargin(robot, q, &joint) >= 0.0) return {};
-  const auto& limits = robot.joints[static_cast<std::size_t>(joint)];
-  return limits.name + " is " + fixed(q[joint], 4) + " rad, must be in [" + fixed(limits.lower, 4) + ", " +
-         fixed(limits.upper, 4) + "]";
+  const robot::NearestLimit limit = robot::nearestLimit(robot, q);
+  if (limit.margin >= 0.0) return {};
+  return robot::limitName(robot, limit) + " is " + fixed(limit.angle, 4) + " rad, must be in [" +
+         fixed(limit.lower, 4) + ", " + fixed(limit.upper, 4) + "]";
 }
 
 std::string jumpFailure(const robot::Robot& robot, const robot::JointVector& from, const robot::JointVector& to) {
@@ -139,7 +138,7 @@ std::vector<Node> placeNodes(const RasterPlan& plan, const Frame& T_base_workpie
 
 /// Lagrange weights of the nodes 0 … 5 at x.
 std::array<double, stencil> lagrangeWeights(double x) {
-  constexpr std::array<double, stencil> inverse_denominator = {-1.0 / 120, 1.0 / 24, -1.0 / 12,
+  constexpr std::array<double, stencil> inverse_denominator = {-1.0 / 120, 1.0 / 24,  -1.0 / 12,
                                                                1.0 / 12,   -1.0 / 24, 1.0 / 120};
   std::array<double, stencil> weights;
   for (std::size_t k = 0; k < stencil; ++k) {

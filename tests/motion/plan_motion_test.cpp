@@ -359,6 +359,76 @@ TEST_F(PlanMotionTest, TakesTheConfigurationThatFailsLeast) {
   EXPECT_NEAR(up.trajectory.points.front().q[2], elbow, 1e-6);
 }
 
+// Each joint keeps within its limits; the range of the controller's axis is set to the lower half of what the raster needs.
+TEST_F(PlanMotionTest, TheControllersAxisIsALimitToo) {
+  const auto path = moved(rasterPath(), geometry::makeFrame({0.35, 0.0, -0.35}, Vector3::Zero()));
+  const MotionPlan serial = plan(path);
+  ASSERT_EQ(countVerdicts(serial)[Verdict::ok], static_cast<int>(waypoints(path)));
+  robot_.coupled_axis = robot::CoupledAxis{2, {1, 2}, -1.0, 0.0};
+  std::vector<double> sums;
+  for (const auto& entry : waypointPoints(serial.trajectory)) sums.push_back(entry.second.q[1] + entry.second.q[2]);
+  std::vector<double> sorted = sums;
+  std::sort(sorted.begin(), sorted.end());
+  robot_.coupled_axis->lower = sorted.front() - 1.0;
+  robot_.coupled_axis->upper = 0.5 * (sorted[sorted.size() / 2] + sorted[sorted.size() / 2 + 1]);
+  const MotionPlan coupled = plan(path);
+  ASSERT_EQ(coupled.verdicts.size(), sums.size());
+  EXPECT_GT(countVerdicts(coupled)[Verdict::joint_limit], static_cast<int>(sums.size() / 3));
+  EXPECT_GT(countVerdicts(coupled)[Verdict::ok], static_cast<int>(sums.size() / 4));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const WaypointVerdict& verdict = coupled.verdicts[i];
+    if (verdict.verdict == Verdict::joint_limit) {
+      EXPECT_THAT(verdict.reason, testing::HasSubstr("controller axis joint_2 + joint_3 is at"));
+      // The waypoint itself, or a point of the move that leads to it, which goes on from an inner one.
+      EXPECT_LE(verdict.margin, robot_.coupled_axis->upper - sums[i] + 1e-9);
+    } else {
+      EXPECT_LE(sums[i], robot_.coupled_axis->upper);
+    }
+  }
+}
+
+// With the range wide open nothing changes; a robot that is turned about its first axis keeps all verdicts.
+TEST_F(PlanMotionTest, AWideCoupledAxisChangesNothing) {
+  const auto path = rasterPath();
+  const std::string bare = formatTrajectory(plan(path).trajectory);
+  robot_.coupled_axis = robot::CoupledAxis{2, {1, 2}, -10.0, 10.0};
+  // Slow enough for the controller's axis not to be what limits a move.
+  EXPECT_EQ(formatTrajectory(plan(path).trajectory), bare);
+  const MotionPlan here = plan(path), there = plan(moved(path, geometry::makeFrame(Vector3::Zero(), {0, 0, 0.4})));
+  for (std::size_t i = 0; i < here.verdicts.size(); ++i) EXPECT_EQ(here.verdicts[i].verdict, there.verdicts[i].verdict);
+}
+
+// Of two ways to reach the start the one is taken that the controller drives.
+TEST_F(PlanMotionTest, TakesTheConfigurationThatTheControllerAllows) {
+  T_tip_tcp_ = geometry::makeFrame({0, 0, 0.2}, Vector3::Zero());
+  for (robot::Joint& joint : robot_.joints) {
+    joint.lower = -4.2;
+    joint.upper = 4.2;
+  }
+  const auto path = rasterPath();
+  const MotionPlan first = plan(path);
+  const JointVector q = first.trajectory.points.front().q;
+  robot_.coupled_axis = robot::CoupledAxis{2, {1, 2}, q[1] + q[2] - 3.0 * M_PI, q[1] + q[2] - 0.7};
+  const MotionPlan other = plan(path);
+  EXPECT_EQ(countVerdicts(other)[Verdict::joint_limit], 0);
+  for (const auto& point : other.trajectory.points) EXPECT_GE(robot::coupledMargin(robot_, point.q), 0.0);
+}
+
+TEST_F(PlanMotionTest, TheControllersAxisHasASpeedToo) {
+  Raster raster;
+  raster.feed = 3.0;
+  robot_.coupled_axis = robot::CoupledAxis{2, {1, 2}, -10.0, 10.0};
+  const MotionPlan result = plan(rasterPath(raster));
+  const auto& points = result.trajectory.points;
+  const double limit = options_.speed_fraction * robot_.joints[2].max_velocity;
+  double fastest = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const JointVector step = points[i].q - points[i - 1].q;
+    fastest = std::max(fastest, std::abs(step[1] + step[2]) / (points[i].time - points[i - 1].time));
+  }
+  EXPECT_LE(fastest, limit * (1 + 1e-6));
+}
+
 TEST_F(PlanMotionTest, BadInputIsNamed) {
   const auto complaint = [this](auto&& change) -> std::string {
     auto path = rasterPath();

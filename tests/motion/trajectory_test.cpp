@@ -54,7 +54,9 @@ TEST(FormatPulses, AreWithinHalfACount) {
   robot::EncoderOptions options;
   options.offset = {0.1, -0.2, 0.3, -0.4, 0.5, -0.6};
   options.sign = {1, -1, 1, -1, 1, -1};
-  const robot::Encoders encoders(options, 6);
+  robot::Robot robot;
+  robot.joints.resize(6);
+  const robot::Encoders encoders(options, robot);
   const std::string text = formatPulses(trajectory, encoders);
   EXPECT_EQ(text.find('.', text.find('.') + 7), text.find('.', text.find('\n', text.find('.'))));  // only times
   const Trajectory parsed = parsePulses(text, "pulses.csv", encoders);

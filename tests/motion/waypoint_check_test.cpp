@@ -10,6 +10,7 @@ namespace scan_to_path::motion {
 namespace {
 
 using scan_to_path::test::irb2400;
+namespace test = scan_to_path::test;
 using testing::HasSubstr;
 
 class WaypointCheckTest : public testing::Test {
@@ -57,6 +58,20 @@ TEST_F(WaypointCheckTest, JointLimitOnTheWay) {
   arrival_.nearest_limit = q_;
   arrival_.nearest_limit[2] = 1.2;
   EXPECT_EQ(checkWaypoint(robot_, q_, &arrival_, options_).reason, "joint_3 is at 1.2000 rad, limit 1.1345 rad");
+}
+
+TEST_F(WaypointCheckTest, CoupledAxisLimit) {
+  q_[1] = 0.8;
+  q_[2] = 0.7;  // each within its own limits, the sum 0.3655 rad beyond 65 degrees
+  EXPECT_EQ(checkWaypoint(robot_, q_, &arrival_, options_).verdict, Verdict::ok);
+  robot_ = test::irb2400WithLinkage();
+  const WaypointVerdict verdict = checkWaypoint(robot_, q_, &arrival_, options_);
+  EXPECT_EQ(verdict.verdict, Verdict::joint_limit);
+  EXPECT_NEAR(verdict.margin, 65.0 * M_PI / 180.0 - 1.5, 1e-12);
+  EXPECT_EQ(verdict.reason, "controller axis joint_2 + joint_3 is at 1.5000 rad, limit 1.1345 rad");
+  arrival_.nearest_limit = q_;
+  q_[2] = 0.1;
+  EXPECT_EQ(checkWaypoint(robot_, q_, &arrival_, options_).reason, verdict.reason) << "on the way";
 }
 
 TEST_F(WaypointCheckTest, Singular) {

@@ -42,6 +42,31 @@ TEST(Cell, DefaultsMakeTheShippedCell) {
   EXPECT_EQ(cell.T_tip_tcp.translation(), CellOptions().tool.xyz);
 }
 
+TEST(Cell, TheShippedArmHasItsLinkage) {
+  const Cell cell = makeCell(CellOptions(), shipped);
+  ASSERT_TRUE(cell.robot.coupled_axis);
+  EXPECT_EQ(cell.robot.coupled_axis->joints, (std::vector<int>{1, 2}));
+  std::vector<double> counts(6, 0.0);
+  counts[1] = 131072.0 * 100.0 / 8.0;  // the motor of axis 2 alone: the elbow gives way
+  EXPECT_NEAR(cell.encoders.angles(counts.data())[2], -M_PI / 4.0, 1e-12);
+  CellOptions options;
+  options.axis_coupling.axis.clear();
+  EXPECT_FALSE(makeCell(options, shipped).robot.coupled_axis);
+}
+
+TEST(Cell, AnotherArmMustSayWhatItsControllerCouples) {
+  std::ifstream file(std::string(SCAN_TO_PATH_SOURCE_DIR) + "/urdf/irb2400.urdf");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::string name = "<robot name=\"irb2400\"";
+  text.replace(text.find(name), name.size(), "<robot name=\"irb4600\"");
+  CellOptions options;
+  options.robot = ::testing::TempDir() + "/irb4600.urdf";
+  std::ofstream(options.robot) << text;
+  EXPECT_THAT(cellError(options), HasSubstr("cell.axis_coupling is said of robot irb2400, not of irb4600: set"));
+  options.axis_coupling.axis.clear();
+  EXPECT_EQ(cellError(options), "no error");
+}
+
 TEST(Cell, PackageAddressesAreLookedUp) {
   const std::filesystem::path parent = ::testing::TempDir() + "/packages";
   std::filesystem::create_directories(parent / "some_robot/urdf");

@@ -75,22 +75,11 @@ TEST(AxisConfiguration, RefusesAnotherNumberOfJoints) {
   test::expectInputError([&] { axisConfiguration(test::irb2400(), joints({0, 0, 0, 0, 0})); }, "must be 6");
 }
 
-TEST(ControllerAxes, ParallelLinkageAddsAxisTwoToAxisThree) {
-  const auto q = joints({1, 20, 30, 4, 5, 6});
-  EXPECT_NEAR(controllerAxes(test::irb2400(), Linkage::automatic, q)[2], 50 * degree, 1e-15);
-  EXPECT_NEAR(controllerAxes(test::irb2400(), Linkage::parallel, q)[2], 50 * degree, 1e-15);
-  EXPECT_EQ(controllerAxes(test::irb2400(), Linkage::serial, q), q);
-  auto other = test::irb2400();
-  other.name = "irb4600";
-  EXPECT_EQ(controllerAxes(other, Linkage::automatic, q), q);
-  EXPECT_TRUE(hasParallelLinkage(other, Linkage::parallel));
-}
-
 // With the lower arm turned and axis 3 of the controller held, the forearm keeps its slope: what a parallelogram does.
 TEST(ControllerAxes, ForearmKeepsItsSlopeAtConstantAxisThree) {
   const auto at = [](double axis_2) {
     const auto q = joints({0, axis_2, 15.0 - axis_2, 0, 0, 0});
-    EXPECT_NEAR(controllerAxes(test::irb2400(), Linkage::automatic, q)[2], 15 * degree, 1e-15);
+    EXPECT_NEAR(robot::controllerAxes(test::irb2400WithLinkage(), q)[2], 15 * degree, 1e-15);
     return robot::forwardKinematics(test::irb2400(), q).linear().eval();
   };
   EXPECT_LT((at(-20) - at(40)).norm(), 1e-14);

@@ -15,7 +15,7 @@ using geometry::Vector3;
 /// Waypoints along a right-angled corner, 10 mm apart; their joint angles do not matter here.
 ProgramInput corner(bool process_on) {
   ProgramInput input;
-  input.robot = test::irb2400();
+  input.robot = test::irb2400WithLinkage();
   input.path.segments.push_back({"row_0", {}});
   for (int i = 0; i < 6; ++i) {
     test::addWaypoint(input, test::joints({0, 0, 0, 0, 0, 0}), 0.02, process_on && i > 0);

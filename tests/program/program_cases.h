@@ -47,7 +47,7 @@ inline void addWaypoint(program::ProgramInput& input, const robot::JointVector& 
 inline program::ProgramInput seededInput(std::uint64_t seed, int rows = 3, int waypoints = 40) {
   Random random(seed);
   program::ProgramInput input;
-  input.robot = irb2400();
+  input.robot = irb2400WithLinkage();
   input.T_base_path = randomFrame(random, 0.3);
   input.T_tip_tcp = randomFrame(random, 0.2);
   input.T_base_workobject = randomFrame(random, 1.0);

@@ -27,7 +27,7 @@ std::string mainModule(const ProgramInput& input) { return writeRapid(input).at(
 /// One row of four waypoints in the base frame, its tool the flange, joint angles given.
 ProgramInput plainInput() {
   ProgramInput input;
-  input.robot = test::irb2400();
+  input.robot = test::irb2400WithLinkage();
   input.path.process = "cutting";
   input.path.segments.push_back({"row_0", {}});
   for (int i = 0; i < 4; ++i) {
@@ -60,7 +60,7 @@ TEST(RapidWriter, WritesAxesInDegreesAndConfiguration) {
   EXPECT_THAT(text, HasSubstr(",[-1,1,-2,1],\n"));
   EXPECT_THAT(text, HasSubstr("feed_2 := [20.000,"));
   auto serial = plainInput();
-  serial.options.linkage = Linkage::serial;
+  serial.robot.coupled_axis.reset();
   EXPECT_THAT(mainModule(serial), HasSubstr("[-10.000000,20.000000,15.000000,"));
 }
 

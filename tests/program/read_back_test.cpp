@@ -132,7 +132,7 @@ TEST(ReadBack, NoticesAnotherPlan) {
   other.plan.trajectory.points[0].q[2] += 1e-6;
   expectFound("start angle", other, "start angle of joint 3");
   other = input;
-  other.options.linkage = Linkage::serial;
+  other.robot.coupled_axis.reset();
   expectFound("axis 3 convention", other, "start angle of joint 3");
   other = input;
   other.T_tip_tcp.translation().z() += 1e-4;
@@ -156,6 +156,12 @@ TEST(ReadBack, NoticesAxisThreeOutOfTheControllersRange) {
   point.q[1] += 1.4;
   point.q[2] += 0.3;
   EXPECT_THAT(textsOf(input, written(input)), HasSubstr("axis 3 would stand at"));
+  // Each joint is within its own range: without the declaration only the elbow's counts.
+  ASSERT_GT(robot::limitMargin(test::irb2400(), point.q), 0.0);
+  input.robot.coupled_axis.reset();
+  EXPECT_THAT(textsOf(input, written(input)), ::testing::Not(HasSubstr("would stand at")));
+  point.q[3] = 3.6;
+  EXPECT_THAT(textsOf(input, written(input)), HasSubstr("axis 4 would stand at 206.265 deg on the controller, limits -200.0"));
 }
 
 TEST(ReadBack, PlansForOtherArmsAreNotCompared) {

@@ -218,6 +218,29 @@ TEST(AllConfigurations, AreAllThatTheClosedFormHas) {
   EXPECT_GE(completeShare(robot, compared_poses, [&](const Frame& T) { return inverse.allConfigurations(T); }), 0.99);
 }
 
+// The same list without those that the controller would refuse; the closed form knows nothing of axis 3.
+TEST(AllConfigurations, KeepToTheCoupledAxis) {
+  const Robot serial = irb2400(), coupled = test::irb2400WithLinkage();
+  const InverseKinematics all(serial), allowed(coupled);
+  Random random(9);
+  std::size_t kept = 0, refused = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Frame T = denavitHartenberg(randomJoints(serial, random).data());
+    std::vector<JointVector> expected;
+    for (const JointVector& q : all.allConfigurations(T)) {
+      const double axis_3 = (q[1] + q[2]) * 180.0 / M_PI;
+      if (axis_3 >= -60.0 && axis_3 <= 65.0)
+        expected.push_back(q);
+      else
+        ++refused;
+    }
+    kept += expected.size();
+    EXPECT_EQ(allowed.allConfigurations(T), expected);
+  }
+  EXPECT_GT(kept, 50u);
+  EXPECT_GT(refused, 50u);
+}
+
 TEST(AllConfigurations, CompletenessCheckSeesALostConfiguration) {
   const Robot robot = irb2400();
   const InverseKinematics inverse(robot);

@@ -117,31 +117,68 @@ TEST(JacobianMatrix, AgreesWithCentralDifferences) {
   }
 }
 
-TEST(LimitMargin, IsTheNearestLimitsDistance) {
+TEST(NearestLimit, IsThatOfTheNearestJoint) {
   const Robot robot = irb2400();
   JointVector q = JointVector::Zero(6);
-  int joint = -1;
-  EXPECT_DOUBLE_EQ(limitMargin(robot, q, &joint), 60.0 * M_PI / 180.0);
-  EXPECT_EQ(joint, 2);
+  EXPECT_DOUBLE_EQ(nearestLimit(robot, q).margin, 60.0 * M_PI / 180.0);
+  EXPECT_EQ(nearestLimit(robot, q).joint, 2);
   q[4] = 119.0 * M_PI / 180.0;
-  EXPECT_NEAR(limitMargin(robot, q, &joint), M_PI / 180.0, 1e-15);
-  EXPECT_EQ(joint, 4);
+  EXPECT_NEAR(nearestLimit(robot, q).margin, M_PI / 180.0, 1e-15);
+  EXPECT_EQ(limitName(robot, nearestLimit(robot, q)), "joint_5");
   q[5] = -7.0;
-  EXPECT_NEAR(limitMargin(robot, q, &joint), 400.0 * M_PI / 180.0 - 7.0, 1e-14);
-  EXPECT_EQ(joint, 5);
-  EXPECT_EQ(limitMargin(robot, q), limitMargin(robot, q, &joint));
+  EXPECT_NEAR(nearestLimit(robot, q).margin, 400.0 * M_PI / 180.0 - 7.0, 1e-14);
+  EXPECT_EQ(nearestLimit(robot, q).joint, 5);
+  EXPECT_EQ(limitMargin(robot, q), nearestLimit(robot, q).margin);
 }
 
-TEST(LimitMargin, OfContinuousJointsAloneIsInfinite) {
+TEST(NearestLimit, OfContinuousJointsAloneIsInfinite) {
   Robot robot;
   robot.joints.resize(2);
   for (Joint& joint : robot.joints) {
     joint.lower = -std::numeric_limits<double>::infinity();
     joint.upper = std::numeric_limits<double>::infinity();
   }
-  int joint = -1;
-  EXPECT_EQ(limitMargin(robot, JointVector::Zero(2), &joint), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(joint, 0);
+  EXPECT_EQ(limitMargin(robot, JointVector::Zero(2)), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nearestLimit(robot, JointVector::Zero(2)).joint, 0);
+}
+
+// 50 and 40 degrees are within -100 to 110 and -60 to 65; their sum is 25 degrees beyond the controller's 65.
+TEST(NearestLimit, SeesTheCoupledAxis) {
+  const Robot robot = test::irb2400WithLinkage();
+  JointVector q = JointVector::Zero(6);
+  q[1] = 50.0 * M_PI / 180.0;
+  q[2] = 40.0 * M_PI / 180.0;
+  EXPECT_GT(limitMargin(irb2400(), q), 0.0);
+  const NearestLimit nearest = nearestLimit(robot, q);
+  EXPECT_TRUE(nearest.is_coupled);
+  EXPECT_NEAR(nearest.margin, -25.0 * M_PI / 180.0, 1e-15);
+  EXPECT_NEAR(nearest.angle, M_PI_2, 1e-15);
+  EXPECT_NEAR(coupledMargin(robot, q), nearest.margin, 1e-15);
+  EXPECT_EQ(limitName(robot, nearest), "controller axis joint_2 + joint_3");
+  q[1] = -q[1];
+  EXPECT_NEAR(coupledMargin(robot, q), 50.0 * M_PI / 180.0, 1e-15);  // at -10 degrees of -60
+  EXPECT_FALSE(nearestLimit(robot, q).is_coupled);
+}
+
+TEST(ControllerAxes, SumStandsInItsJointsPlace) {
+  JointVector q(6);
+  q << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
+  JointVector expected = q;
+  EXPECT_EQ(controllerAxes(irb2400(), q), expected);
+  expected[2] = 0.5;
+  EXPECT_LT((controllerAxes(test::irb2400WithLinkage(), q) - expected).norm(), 1e-15);
+}
+
+TEST(LargestTurns, AreTheJointsOrTheControllersAxes) {
+  const Robot robot = test::irb2400WithLinkage();
+  const JointVector from = JointVector::Zero(6);
+  JointVector to(6);
+  to << -0.1, 0.2, 0.3, 0.0, 0.0, 0.0;
+  EXPECT_NEAR(largestTurns(robot, from, to)[2], 0.5, 1e-15);
+  EXPECT_NEAR(largestTurns(robot, from, to)[0], 0.1, 1e-15);
+  to[2] = -0.3;
+  EXPECT_NEAR(largestTurns(robot, from, to)[2], 0.3, 1e-15);
+  EXPECT_NEAR(largestTurns(irb2400(), from, to)[2], 0.3, 1e-15);
 }
 
 TEST(Irb2400, HasThePublishedLimitsAndSpeeds) {

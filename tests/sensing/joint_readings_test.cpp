@@ -33,7 +33,7 @@ robot::Encoders unitEncoders() {
   options.counts_per_turn = {2.0 * M_PI, 2.0 * M_PI};
   options.gear_ratio = options.sign = {1.0, 1.0};
   options.offset = {0.0, 0.0};
-  return {options, 2};
+  return {options, twoJoints()};
 }
 
 /// Joint a follows `angle`, joint b minus twice that.

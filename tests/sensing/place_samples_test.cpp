@@ -261,6 +261,16 @@ TEST(PlaceSamples, BadInputIsNamed) {
   test::expectInputError([&] { cell.place(good, options); }, "placement.clock_offset is 2 s, must be in [-1, 1]");
 }
 
+// A controller keeps its axis 3 in range: a log that does not was made by another arm, or counts otherwise.
+TEST(PlaceSamples, TheControllersAxisHasLimitsToo) {
+  SensingCell cell = SensingCell::small();
+  const auto log = cell.emulate({}).log;
+  cell.robot.coupled_axis->upper = cell.robot.coupled_axis->lower + 0.01;
+  test::expectInputError([&] { cell.place(log); },
+                         "sample 0 at 0.000000 s: controller axis joint_2 + joint_3 is ");
+  test::expectInputError([&] { cell.emulate({}); }, "controller axis joint_2 + joint_3 is ");
+}
+
 TEST(PlaceSamples, AJointMayBeOneCountOutsideItsLimit) {
   SensingCell cell = SensingCell::small();
   EmulationOptions options;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "scan_to_path/common/random.h"
+#include "scan_to_path/robot/axis_coupling.h"
 #include "scan_to_path/robot/robot.h"
 
 namespace scan_to_path::test {
@@ -13,6 +14,13 @@ namespace scan_to_path::test {
 inline std::string irb2400File() { return std::string(SCAN_TO_PATH_SOURCE_DIR) + "/urdf/irb2400.urdf"; }
 
 inline robot::Robot irb2400() { return robot::readRobot(irb2400File(), "base_link", "tool0"); }
+
+/// The same with its parallelogram, as the default cell has it.
+inline robot::Robot irb2400WithLinkage() {
+  robot::Robot robot = irb2400();
+  robot.coupled_axis = robot::coupledAxis(robot::AxisCouplingOptions(), robot);
+  return robot;
+}
 
 /// Forward kinematics of the IRB 2400 from its published dimensions as a product of Denavit-Hartenberg matrices,
 /// Rot(z, theta) Trans(z, d) Trans(x, a) Rot(x, alpha): shares nothing with the URDF, the library or KDL.
@@ -30,7 +38,7 @@ inline geometry::Frame denavitHartenberg(const double* q) {
   return geometry::Frame(T);
 }
 
-/// Joint angles within the limits; a continuous joint within one turn.
+/// Joint angles within the limits, of the coupled axis too; a continuous joint within one turn.
 inline robot::JointVector randomJoints(const robot::Robot& robot, Random& random) {
   robot::JointVector q(robot.dof());
   for (int i = 0; i < robot.dof(); ++i) {
@@ -38,6 +46,7 @@ inline robot::JointVector randomJoints(const robot::Robot& robot, Random& random
     const bool limited = std::isfinite(joint.upper - joint.lower);
     q[i] = limited ? random.uniform(joint.lower, joint.upper) : random.uniform(-M_PI, M_PI);
   }
+  if (robot::coupledMargin(robot, q) < 0.0) return randomJoints(robot, random);
   return q;
 }
 

@@ -23,7 +23,7 @@ inline std::shared_ptr<const geometry::Surface> onTable(std::shared_ptr<const ge
 
 /// The arm with the laser on its flange, over a part.
 struct SensingCell {
-  robot::Robot robot = irb2400();
+  robot::Robot robot = irb2400WithLinkage();
   robot::EncoderOptions encoder_options;
   sensing::PointLaserOptions laser;
   geometry::Frame T_tip_sensor = geometry::makeFrame({0.08, 0.0, 0.12}, geometry::Vector3::Zero());
@@ -31,7 +31,7 @@ struct SensingCell {
   std::shared_ptr<const geometry::Surface> scene = onTable(std::make_shared<geometry::SPart>());
   Eigen::AlignedBox2d rectangle{Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(0.24, 0.16)};
 
-  robot::Encoders encoders() const { return {encoder_options, robot.dof()}; }
+  robot::Encoders encoders() const { return {encoder_options, robot}; }
 
   sensing::EmulatedScan emulate(const sensing::EmulationOptions& options, int threads = 1,
                                 const Progress& progress = {}) const {

@@ -51,7 +51,7 @@ Frame tipPose(const Frame& T_base_contact, const Frame& T_contact_tcp, const Fra
 /// axis that the path gives it. Moves between neighbouring waypoints get intermediate points until joint-interpolated
 /// motion stays within chord_tolerance of the straight line. Times as in timing.h.
 ///
-/// Verdicts: unreachable, joint_limit, singular, jump and speed (moves with the process on; others are only slowed
+/// Limits of joints and of the robot's coupled axis are looked at alike. Verdicts: unreachable, joint_limit, singular, jump and speed (moves with the process on; others are only slowed
 /// down), the first of them in this order. A waypoint that is ok has the margin that is smallest relative to its limit.
 ///
 /// Poses are in the robot's base: throws InputError when path.frame is another one, when the path is empty, and for a

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scan_to_path/common/options.h"
+#include "scan_to_path/robot/axis_coupling.h"
 #include "scan_to_path/robot/encoders.h"
 #include "scan_to_path/robot/robot.h"
 #include "scan_to_path/sensing/point_laser.h"
@@ -35,6 +36,7 @@ struct CellOptions {
   std::string robot = "package://scan_to_path/urdf/irb2400.urdf";
   std::string base_link = "base_link";
   std::string tip_link = "tool0";
+  robot::AxisCouplingOptions axis_coupling;
   robot::EncoderOptions encoders;
   sensing::PointLaserOptions laser;
   MountOptions sensor{"tool0", Vector3(0.08, 0.0, 0.12), Vector3::Zero()};
@@ -46,6 +48,7 @@ struct CellOptions {
     visit(self.robot, Field{"robot", "", "URDF file, or package://PACKAGE/FILE"});
     visit(self.base_link, Field{"base_link", "", "link that scans and paths are in"});
     visit(self.tip_link, Field{"tip_link", "", "flange, where sensor and tool are mounted"});
+    visit(self.axis_coupling, Field{"axis_coupling"});
     visit(self.encoders, Field{"encoders"});
     visit(self.laser, Field{"laser"});
     visit(self.sensor, Field{"sensor"});
@@ -65,9 +68,9 @@ struct Cell {
 };
 
 /// Reads the robot and checks that everything fits together. package:// is looked up in `package_path` (directories
-/// that are a package or hold packages). Throws InputError for a file or package that is not there, mounts with a
-/// parent other than tip_link (sensor, tool) or base_link (workpiece), and links of the URDF called sensor, tcp or
-/// workpiece, which are this cell's own frames.
+/// that are a package or hold packages). Throws InputError for a file or package that is not there, an axis_coupling
+/// that is not this robot's, mounts with a parent other than tip_link (sensor, tool) or base_link (workpiece), and
+/// links of the URDF called sensor, tcp or workpiece, which are this cell's own frames.
 Cell makeCell(const CellOptions& options, const std::vector<std::filesystem::path>& package_path);
 
 /// The file that a plain path or a package:// address names. Throws InputError when no package of that name is found.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scan_to_path/program/options.h"
 #include "scan_to_path/robot/robot.h"
 
 namespace scan_to_path::program {
@@ -23,11 +22,5 @@ int axisQuadrant(double angle);
 /// zero). cfx after the table of ABB's technical reference manual for confdata; models without a turning-over arm
 /// ignore it. Throws InputError for another number of joints.
 AxisConfiguration axisConfiguration(const robot::Robot& robot, const robot::JointVector& q);
-
-/// True when the controller counts axis 3 against the horizontal.
-bool hasParallelLinkage(const robot::Robot& robot, Linkage linkage);
-
-/// Joint angles as the controller counts them [rad].
-robot::JointVector controllerAxes(const robot::Robot& robot, Linkage linkage, const robot::JointVector& q);
 
 }  // namespace scan_to_path::program

@@ -2,27 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "scan_to_path/common/options.h"
 #include "scan_to_path/geometry/frames.h"
-
-namespace scan_to_path::program {
-
-/// How the controller counts axis 3: against the lower arm (serial), or, on arms that move the upper arm through a
-/// parallelogram, against the horizontal (parallel: axis 3 = joint_2 + joint_3). `automatic` goes by the robot's name.
-enum class Linkage { automatic, serial, parallel };
-
-}  // namespace scan_to_path::program
-
-namespace scan_to_path {
-template <>
-struct EnumNames<program::Linkage> {
-  static constexpr std::array<const char*, 3> names = {"automatic", "serial", "parallel"};
-};
-}  // namespace scan_to_path
 
 namespace scan_to_path::program {
 
@@ -43,7 +27,6 @@ struct ProgramOptions {
   double start_speed = 0.1;
   double max_speed = 1.0;
   double orientation_speed = 3.5;
-  Linkage linkage = Linkage::automatic;
   bool monitor_configuration = false;
   std::string process_on = "ProcessOn";
   std::string process_off = "ProcessOff";
@@ -70,7 +53,6 @@ struct ProgramOptions {
     visit(self.start_speed, Field{"start_speed", "m/s", "speed of the move to the first waypoint", 1e-3, 0.25});
     visit(self.max_speed, Field{"max_speed", "m/s", "a faster feed is refused", 1e-3, 7.0});
     visit(self.orientation_speed, Field{"orientation_speed", "rad/s", "limit of the tool's turning", 1e-3, 17.5});
-    visit(self.linkage, Field{"linkage", "", "how the controller counts axis 3"});
     visit(self.monitor_configuration,
           Field{"monitor_configuration", "", "stop where the arm's configuration is not the planned one (ConfL\\On)"});
     visit(self.process_on, Field{"process_on", "", "routine that starts the process"});

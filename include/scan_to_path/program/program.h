@@ -52,7 +52,7 @@ struct Discrepancy {
 
 /// Reads the files back with a reader that shares no code with the writer and compares every move with the plan:
 /// order, positions to 1 um, angles to 0.001 degree, feeds, process on and off, zones, axis configuration, first
-/// joint target (also through forward kinematics), tool, load, axis 3 range. Empty: the program says what was planned.
+/// joint target (also through forward kinematics), tool, load, ranges of the controller's axes. Empty: the program says what was planned.
 /// At most `limit` discrepancies are listed.
 std::vector<Discrepancy> readBack(Controller controller, const ProgramInput& input,
                                   const std::vector<ProgramFile>& files, std::size_t limit = 20);

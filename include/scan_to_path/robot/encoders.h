@@ -23,16 +23,22 @@ struct EncoderOptions {
     visit(self.gear_ratio, Field{"gear_ratio", "", "motor turns per joint turn"});
     visit(self.sign, Field{"sign", "", "+1 or -1: sense of counting"});
     visit(self.offset, Field{"offset", "rad", "joint angle at count 0"});
-    visit(self.coupling,
-          Field{"coupling", "", "n x n matrix, row by row, from uncoupled to joint angles; empty: identity"});
+    visit(
+        self.coupling,
+        Field{
+            "coupling", "",
+            "n x n matrix, row by row, from motors to the axes that the controller counts (see axis_coupling for what "
+            "they make of the joints); empty: identity"});
   }
 };
 
-/// theta = C diag(sign 2 pi / (counts gear)) pulses + offset.
+/// theta = L C diag(sign 2 pi / (counts gear)) pulses + offset. L takes the controller's axes to the joints: identity,
+/// but for the coupled axis, whose motor turns the sum of its joints.
 class Encoders {
 public:
-  /// Throws InputError unless every list has `joints` positive (sign: +1 or -1) values and the coupling is invertible.
-  Encoders(const EncoderOptions& options, int joints);
+  /// Throws InputError unless every list has one positive (sign: +1 or -1) value per joint and the coupling is
+  /// invertible.
+  Encoders(const EncoderOptions& options, const Robot& robot);
 
   JointVector angles(const double* counts) const;
   JointVector counts(const JointVector& angles) const;  ///< not rounded

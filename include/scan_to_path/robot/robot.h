@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,15 @@ struct Joint {
   double max_velocity = 0.0;                 ///< [rad/s]
 };
 
+/// An axis of the controller that turns with several joints of the chain: its angle is their sum. A parallelogram that
+/// moves the upper arm, for one, makes axis 3 the angle against the horizontal, joint_2 + joint_3.
+struct CoupledAxis {
+  int axis = 0;             ///< index of the joint in whose place the controller counts it
+  std::vector<int> joints;  ///< indices of the joints that sum to it, `axis` among them
+  double lower = 0.0;       ///< its own range [rad], beside the joints'
+  double upper = 0.0;       ///< [rad]
+};
+
 /// The serial chain from base_link to tip_link.
 struct Robot {
   std::string name;
@@ -34,6 +45,7 @@ struct Robot {
   std::vector<std::string> link_names;  ///< every link of the URDF, for name clashes
   std::vector<Joint> joints;
   Frame T_last_tip = Frame::Identity();  ///< tip_link in the last movable joint's frame
+  std::optional<CoupledAxis> coupled_axis;  ///< a URDF does not say it: see axis_coupling.h
 
   int dof() const { return static_cast<int>(joints.size()); }
 };
@@ -50,7 +62,35 @@ inline Frame forwardKinematics(const Robot& robot, const JointVector& q) { retur
 /// 6 x dof geometric Jacobian of the tip in base coordinates: rows are linear [m/rad], then angular velocity.
 Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 8> jacobian(const Robot& robot, const JointVector& q);
 
-/// How far the nearest joint is inside its limits [rad]; negative outside. `joint` gets its index when not null.
-double limitMargin(const Robot& robot, const JointVector& q, int* joint = nullptr);
+/// Joint angles as the controller counts them [rad]: q, with the coupled axis in its joint's place.
+JointVector controllerAxes(const Robot& robot, const JointVector& q);
+
+/// The limit that joint angles come nearest to: a joint's, or that of the controller's coupled axis.
+struct NearestLimit {
+  double margin = std::numeric_limits<double>::infinity();  ///< [rad]; negative outside
+  double angle = 0.0;                                       ///< of the joint or axis [rad]
+  double lower = 0.0;                                       ///< [rad]
+  double upper = 0.0;                                       ///< [rad]
+  int joint = 0;                                            ///< index; of a coupled axis its `axis`
+  bool is_coupled = false;
+};
+
+NearestLimit nearestLimit(const Robot& robot, const JointVector& q);
+
+/// How far the nearest joint or coupled axis is inside its limits [rad]; negative outside.
+inline double limitMargin(const Robot& robot, const JointVector& q) { return nearestLimit(robot, q).margin; }
+
+/// How far the coupled axis is inside its limits [rad]; infinite without one.
+double coupledMargin(const Robot& robot, const JointVector& q);
+
+/// "controller axis joint_2 + joint_3", for messages; needs a coupled axis.
+std::string coupledAxisName(const Robot& robot);
+
+/// The limited joint's name, or coupledAxisName.
+std::string limitName(const Robot& robot, const NearestLimit& limit);
+
+/// How far each joint turns from one configuration to another, or the controller's axis in its place if that is more
+/// [rad]: what speed limits hold for.
+JointVector largestTurns(const Robot& robot, const JointVector& from, const JointVector& to);
 
 }  // namespace scan_to_path::robot
