@@ -98,6 +98,10 @@ private:
     verdicts_ = path_.planned.findings;
     take(path_.report, path_.accuracy);
     files_["path.csv"] = toolpath::formatToolPath(path_.planned.path);
+    if (hasFailedTolerance("path_surface_residual_rms")) {
+      report_.notes.push_back("the fitted surface is smooth and leaves the samples, as at folds: machine the scanned rows with "
+                              "--set path.row_source=scan_lines, or scan fine relief at a smaller pitch");
+    }
     if (hasFailedTolerance("path_between_rows_rms")) {
       report_.notes.push_back("the part is finer than the scan's rows: scan at a smaller pitch, or machine the scanned "
                               "rows alone with --set path.row_source=scan_lines");

@@ -90,6 +90,19 @@ TEST_F(JobTest, StopsAfterTheStageAskedFor) {
   }
 }
 
+TEST_F(JobTest, ASurfaceTooFarOffFailsAndNamesTheRemedy) {
+  JobOptions options;
+  options.report.max_surface_residual = 1e-6;  // [m] the samples' noise alone is twice that
+  auto job = request("far_off");
+  job.stop_after = Stage::path;
+  EXPECT_EQ(runJob(job, options, {}).exit, 1);
+  const auto report = nlohmann::json::parse(file(job, "report.json"));
+  EXPECT_EQ(report["accuracy"]["path_surface_residual_rms"]["pass"], false);
+  EXPECT_THAT(report["notes"].dump(), HasSubstr("path.row_source=scan_lines"));
+  options.path.row_source = process::RowSource::scan_lines;  // what the note says helps
+  EXPECT_EQ(runJob(job, options, {}).exit, 0);
+}
+
 TEST_F(JobTest, SameBytesTwiceAndWithTwoThreads) {
   const auto first = request("first");
   auto second = request("second");
