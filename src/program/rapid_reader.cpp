@@ -81,12 +81,48 @@ private:
     } else if (isMove(statement.name)) {
       move(statement, scope);
     } else if (statement.name == process_on_ || statement.name == process_off_) {
-      process_on_now_ = statement.name == process_on_;
+      switchProcess(statement.name == process_on_);
+      if (process_on_now_) waitsOf(statement.name);
     } else if (const auto routine = routines_.find(statement.name); routine != routines_.end()) {
       if (!statement.arguments.empty()) fail(scope, statement.line, "calls with arguments are not read");
       call(routine->second, depth + 1);
     } else {
       instruction(statement, scope);
+    }
+  }
+
+  void switchProcess(bool on) {
+    process_on_now_ = on;
+    process_wait_ = 0.0;
+  }
+
+  /// The waits in the routine that starts the process, after the signal is set; nothing else of it is followed.
+  void waitsOf(const std::string& name) {
+    const auto found = routines_.find(name);
+    if (found == routines_.end()) return;
+    const Scope& scope = found->second;
+    for (const auto& statement : scope.routine->statements) {
+      if (statement.name == "return" || statement.name == "exit") return;
+      if (setsSignal(statement)) process_wait_ = 0.0;
+      if (statement.kind == Statement::Kind::instruction && statement.name == "waittime") wait(statement, scope);
+    }
+  }
+
+  bool setsSignal(const Statement& statement) const {
+    if (signal_.empty()) return false;
+    const auto& inside = statement.names_inside;
+    return std::find(inside.begin(), inside.end(), signal_) != inside.end() ||
+           (!statement.arguments.empty() && statement.arguments[0].value.text == signal_);
+  }
+
+  /// WaitTime [\InPos] Time.
+  void wait(const Statement& statement, const Scope& scope) {
+    if (!process_on_now_) return;
+    for (const auto& argument : statement.arguments) {
+      if (!argument.option.empty()) continue;
+      const double time = values_.number(argument.value, scope);
+      if (!(time >= 0.0)) fail(scope, statement.line, "a wait must not be negative");
+      process_wait_ += time;
     }
   }
 
@@ -111,11 +147,12 @@ private:
     }
     if (statement.name == "exit") ended_ = true;
     if (statement.name == "stop") stopped_ = true;
+    if (statement.name == "waittime") wait(statement, scope);
     if (signal_.empty() || statement.arguments.empty() || statement.arguments[0].value.text != signal_) return;
     if (statement.name == "set" || statement.name == "reset") {
-      process_on_now_ = statement.name == "set";
+      switchProcess(statement.name == "set");
     } else if (statement.name == "setdo" && statement.arguments.size() == 2) {
-      process_on_now_ = values_.number(statement.arguments[1].value, scope) != 0.0;
+      switchProcess(values_.number(statement.arguments[1].value, scope) != 0.0);
     } else {
       fail(scope, statement.line, "the process signal is used in a way that is not read");
     }
@@ -149,6 +186,8 @@ private:
     made.stop = made.zone == 0.0;
     made.tool = toolIndex(*positional[3], scope);
     made.process_on = process_on_now_;
+    made.process_wait = process_wait_;
+    process_wait_ = 0.0;
     made.after_stop = stopped_;
     stopped_ = false;
     program_.moves.push_back(std::move(made));
@@ -189,6 +228,7 @@ private:
   std::size_t steps_left_;
   RapidProgram program_;
   bool process_on_now_ = false;
+  double process_wait_ = 0.0;
   bool stopped_ = false;
   bool ended_ = false;
 };

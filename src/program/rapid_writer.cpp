@@ -116,6 +116,8 @@ void appendProcessRoutine(std::string& module, const ProgramOptions& options, bo
   if (!options.process_signal.empty()) {
     const std::string set = "SetDO " + options.process_signal + "," + (on ? "1" : "0") + ";\n";
     module += on ? "    IF NOT dry_run THEN\n      " + set + "    ENDIF\n" : "    " + set;
+    // The arm stands at a stop point here.
+    if (on && options.process_delay > 0.0) module += "    WaitTime " + rapidNumber(options.process_delay, 3) + ";\n";
   }
   module += "  ENDPROC\n";
 }

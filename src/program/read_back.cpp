@@ -88,6 +88,7 @@ public:
       checkTarget(moves[i + 1], expected[i]);
       checkFeed(moves[i + 1], expected[i], i == 0);
       checkProcess(moves[i + 1], expected[i]);
+      if (i == 0 || !expected[i - 1].waypoint->process_on) checkProcessDelay(moves[i + 1], expected[i]);
       checkAxes(moves[i + 1], expected[i]);
       const bool last = i + 1 == expected.size();
       checkZone(i + 1, expected[i], last || expected[i + 1].segment != expected[i].segment);
@@ -142,6 +143,17 @@ private:
     if (move.after_stop != at.after_gap) {
       report(&at, at.after_gap ? "waypoints are missing before it without a stop" : "an unplanned stop is before it",
              &move);
+    }
+  }
+
+  /// The tool must not move on before what process_signal starts runs.
+  void checkProcessDelay(const RapidMove& move, const Expected& at) {
+    const auto& options = input_.options;
+    constexpr double digit = 1e-3;  // [s], the last one written
+    if (!at.waypoint->process_on || options.process_signal.empty()) return;
+    if (!(move.process_wait >= options.process_delay - digit)) {
+      report(&at, "the process runs for " + fixed(move.process_wait, 3) + " s before the tool moves on, planned " +
+                      fixed(options.process_delay, 3) + " s (program.process_delay)", &move);
     }
   }
 

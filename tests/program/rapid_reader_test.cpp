@@ -107,6 +107,28 @@ TEST(RapidReader, SequenceStopsAndModules) {
   EXPECT_EQ(program.moves[1].file, "n.MOD");
 }
 
+TEST(RapidReader, CountsWaitsWhileTheProcessRuns) {
+  const auto waitBefore = [](const std::string& statements, const std::string& routine, const std::string& signal = "do1") {
+    RapidReadOptions options;
+    options.process_signal = signal;
+    const std::string text = "MODULE M\nCONST num long:=3;\nPROC main()\n" + statements + move + move +
+                             "\nENDPROC\nPROC ProcessOn()\n" + routine + "\nENDPROC\nENDMODULE\n";
+    const auto program = readRapid({{"m.mod", text}}, options);
+    EXPECT_EQ(program.moves.at(1).process_wait, 0.0) << "of the first move only";
+    return program.moves.at(0).process_wait;
+  };
+  EXPECT_EQ(waitBefore("ProcessOn;", "SetDO do1,1; WaitTime 0.5; WaitTime\\InPos,long/2;"), 2.0);
+  EXPECT_EQ(waitBefore("ProcessOn; WaitTime long;", "IF x THEN SetDO do1,1; ENDIF"), 3.0);
+  EXPECT_EQ(waitBefore("ProcessOn;", "WaitTime 5; IF x THEN SetDO do1,1; ENDIF"), 0.0) << "before the signal";
+  EXPECT_EQ(waitBefore("ProcessOn;", "SetDO do1,1; IF x THEN WaitTime 5; ENDIF"), 0.0) << "perhaps";
+  EXPECT_EQ(waitBefore("ProcessOn;", "SetDO do1,1; RETURN; WaitTime 5;"), 0.0) << "never reached";
+  EXPECT_EQ(waitBefore("ProcessOn;", "WaitTime 5;", ""), 5.0);
+  EXPECT_EQ(waitBefore("Set do1; WaitTime 0.25;", ""), 0.25);
+  EXPECT_EQ(waitBefore("WaitTime 7; Set do1;", ""), 0.0);
+  EXPECT_EQ(waitBefore("WaitTime 7;", ""), 0.0) << "process off";
+  test::expectInputError([&] { waitBefore("Set do1; WaitTime -1;", ""); }, "a wait must not be negative");
+}
+
 TEST(RapidReader, RefusesWhatItCannotFollow) {
   const std::pair<std::string, std::string> cases[] = {
       {inMain("MoveC " + target + "," + target + ",v100,fine,tool0;"), "instruction 'movec' is not read"},

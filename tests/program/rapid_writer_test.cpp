@@ -131,6 +131,26 @@ TEST(RapidWriter, ProcessRoutinesSetTheSignalButNotInAnAirRun) {
   EXPECT_THAT(mainModule(input), HasSubstr("    SetDO doSpindle,0;"));
 }
 
+TEST(RapidWriter, WaitsForTheSpindleOnlyWhenASignalStartsIt) {
+  auto input = plainInput();
+  EXPECT_THAT(mainModule(input), Not(HasSubstr("WaitTime")));
+  input.options.process_signal = "doSpindle";
+  EXPECT_THAT(mainModule(input), HasSubstr("SetDO doSpindle,1;\n    ENDIF\n    WaitTime 1.000;\n  ENDPROC"));
+  input.options.process_delay = 2.5;
+  const auto waits = [&input] {
+    RapidReadOptions options;
+    options.process_signal = input.options.process_signal;
+    std::vector<double> list;
+    for (const auto& move : readRapid(writeRapid(input), options).moves) list.push_back(move.process_wait);
+    return list;
+  };
+  EXPECT_EQ(waits(), (std::vector<double>{0, 0, 0, 2.5, 0}));  // waypoint 2 is the one with the process on
+  input.options.process_delay = 0.0;
+  EXPECT_THAT(mainModule(input), Not(HasSubstr("WaitTime")));
+  input.options.process_delay = -1.0;
+  test::expectInputError([&] { writeRapid(input); }, "program.process_delay is -1 s, must be in [0, 600]");
+}
+
 TEST(RapidWriter, HeaderHasNoticeProvenanceAndComments) {
   auto input = plainInput();
   input.provenance = {"input: B\xc3\xbcgel\nENDMODULE.csv"};

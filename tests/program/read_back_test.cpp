@@ -164,6 +164,18 @@ TEST(ReadBack, NoticesAxisThreeOutOfTheControllersRange) {
   EXPECT_THAT(textsOf(input, written(input)), HasSubstr("axis 4 would stand at 206.265 deg on the controller, limits -200.0"));
 }
 
+TEST(ReadBack, NoticesAToolThatDoesNotWaitForItsSpindle) {
+  auto input = seededInput(4);
+  input.options.process_signal = "doSpindle";
+  input.options.process_delay = 3.0;
+  const auto files = written(input);
+  ASSERT_EQ(textsOf(input, files), "");
+  const std::string message = "the process runs for 1.000 s before the tool moves on, planned 3.000 s";
+  EXPECT_THAT(textsOf(input, changed(files, "WaitTime 3", "WaitTime 1")), HasSubstr(message));
+  EXPECT_THAT(textsOf(input, changed(files, "WaitTime 3.000;", "")), HasSubstr("runs for 0.000 s"));
+  EXPECT_THAT(textsOf(input, changed(files, "(IF NOT[^W]*)(WaitTime 3.000;)", "$2 $1")), HasSubstr("runs for 0.000 s"));
+}
+
 TEST(ReadBack, PlansForOtherArmsAreNotCompared) {
   auto input = seededInput(3);
   const auto files = written(input);

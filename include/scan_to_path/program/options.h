@@ -31,6 +31,7 @@ struct ProgramOptions {
   std::string process_on = "ProcessOn";
   std::string process_off = "ProcessOff";
   std::string process_signal;
+  double process_delay = 1.0;
   int moves_per_routine = 250;
   int moves_per_module = 1000;
   std::vector<std::string> comments;
@@ -58,6 +59,8 @@ struct ProgramOptions {
     visit(self.process_on, Field{"process_on", "", "routine that starts the process"});
     visit(self.process_off, Field{"process_off", "", "routine that stops the process"});
     visit(self.process_signal, Field{"process_signal", "", "digital output set by those routines; empty: none"});
+    visit(self.process_delay,
+          Field{"process_delay", "s", "wait at a stop after process_signal is set, for a spindle to reach its speed", 0.0, 600.0});
     visit(self.moves_per_routine, Field{"moves_per_routine", "", "moves in one routine", 1, 5000});
     visit(self.moves_per_module, Field{"moves_per_module", "", "moves in one module file", 1, 50000});
     visit(self.comments, Field{"comments", "", "lines added to the program's header"});

@@ -33,6 +33,7 @@ struct RapidMove {
   bool stop = false;                         ///< a stop point (fine)
   double zone = 0.0;                         ///< radius of the path zone [m]; 0 at a stop point
   bool process_on = false;                   ///< while driving to the target
+  double process_wait = 0.0;                 ///< waited since the process was switched on, before this move [s]
   bool after_stop = false;                   ///< the program waits for the operator (Stop) before it
   int tool = 0;                              ///< index into RapidProgram::tools
   std::string file;
@@ -46,14 +47,15 @@ struct RapidProgram {
 
 /// What means "process on" in the program.
 struct RapidReadOptions {
-  std::string process_on = "ProcessOn";    ///< routine that starts the process; it is not looked into
+  std::string process_on = "ProcessOn";    ///< routine that starts the process; looked into for waits only
   std::string process_off = "ProcessOff";  ///< routine that stops it
   std::string process_signal;              ///< digital output that stands for the process; empty: none
   std::size_t max_steps = 50000000;        ///< instructions and expression nodes before giving up
 };
 
 /// Reads the modules and follows `main` without a robot: MoveAbsJ, MoveJ and MoveL with declared or literal targets,
-/// Offs and RelTool (shift), tools, work objects, speed and zone data declared or predefined, routine calls, SetDO.
+/// Offs and RelTool (shift), tools, work objects, speed and zone data declared or predefined, routine calls, SetDO,
+/// WaitTime.
 /// Files that do not end in .mod are passed over. World and robot base are taken to coincide.
 /// Throws InputError with file and line for text that is no RAPID, for anything outside that subset that could change
 /// a motion (loops, motion under a condition, MoveC, data assigned at run time and then used in a move, …).
