@@ -118,7 +118,7 @@ bool isSection(const std::vector<FieldReference>& fields, const std::string& pat
 }
 
 void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node, const std::string& prefix,
-               const std::string& source) {
+               const std::string& source, std::set<std::string>& set) {
   std::set<std::string> seen;
   for (const auto& entry : node) {
     if (!entry.first.IsScalar()) throw InputError(at(source, entry.first) + ": a key must be a text");
@@ -127,10 +127,11 @@ void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node
     if (!seen.insert(path).second) throw InputError(where + ": key " + path + " stands twice");
     if (const FieldReference* field = find(fields, path)) {
       std::visit(Assign(*field, entry.second, source), field->value);
+      set.insert(path);
     } else if (!isSection(fields, path)) {
       unknownKey(fields, path, where);
     } else if (entry.second.IsMap()) {
-      applyNode(fields, entry.second, path + ".", source);
+      applyNode(fields, entry.second, path + ".", source, set);
     } else if (!entry.second.IsNull()) {
       throw InputError(where, path, shown(entry.second), "a section");
     }
@@ -199,14 +200,17 @@ std::string comment(const FieldReference& reference) {
 
 }  // namespace
 
-void applyYaml(const std::vector<FieldReference>& fields, const std::string& text, const std::string& source) {
+std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const std::string& text,
+                                const std::string& source) {
   const YAML::Node root = parse(text, source);
-  if (root.IsNull()) return;
+  std::set<std::string> set;
+  if (root.IsNull()) return set;
   if (!root.IsMap()) throw InputError(source + ": a configuration is sections of keys, this is " + shown(root));
-  applyNode(fields, root, "", source);
+  applyNode(fields, root, "", source, set);
+  return set;
 }
 
-void applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment) {
+std::string applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos) throw InputError("--set " + assignment + ": must be section.name=value");
   const std::string path(trimmed(std::string_view(assignment).substr(0, equals)));
@@ -216,6 +220,7 @@ void applyAssignment(const std::vector<FieldReference>& fields, const std::strin
   const std::string value(trimmed(std::string_view(assignment).substr(equals + 1)));
   const YAML::Node node = std::holds_alternative<std::string*>(field->value) ? YAML::Node(value) : parse(value, source);
   std::visit(Assign(*field, node, source), field->value);
+  return path;
 }
 
 std::string formatValue(const FieldReference& field) { return std::visit(FormatValue(), field.value); }

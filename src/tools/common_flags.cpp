@@ -24,7 +24,8 @@ void parsePose(const std::string& text, pipeline::MountOptions& mount) {
     if (!parseNumber(word, number)) break;
     numbers.push_back(number);
   }
-  if (numbers.size() != 6) throw InputError("--workpiece-pose", "value", "'" + text + "'", "'x y z roll pitch yaw' in m and rad");
+  if (numbers.size() != 6)
+    throw InputError("--workpiece-pose", "value", "'" + text + "'", "'x y z roll pitch yaw' in m and rad");
   mount.xyz = {numbers[0], numbers[1], numbers[2]};
   mount.rpy = {numbers[3], numbers[4], numbers[5]};
 }
@@ -50,20 +51,26 @@ void CommonFlags::addTo(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_flag("--print-config", print_config, "print the whole configuration with units and end");
   command.add_option("--robot", robot, "the arm, instead of the shipped ABB IRB 2400/16")->type_name("URDF");
-  command.add_option("--package-path", package_path, "directories in which package:// addresses are looked up (repeatable)")
+  command
+      .add_option("--package-path", package_path,
+                  "directories in which package:// addresses are looked up (repeatable)")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  command.add_option("--workpiece-pose", workpiece_pose, "of the workpiece in base_link: 'x y z roll pitch yaw' in m and rad")
+  command
+      .add_option("--workpiece-pose", workpiece_pose,
+                  "of the workpiece in base_link: 'x y z roll pitch yaw' in m and rad")
       ->type_name("POSE");
   command.add_option("--threads", threads, "0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
   command.add_flag("--quiet", quiet, "no progress, no summary; errors only");
 }
 
-pipeline::JobOptions CommonFlags::options() const {
+pipeline::JobOptions CommonFlags::options(std::set<std::string>* given) const {
   pipeline::JobOptions options;
   const auto fields = pipeline::fieldReferences(options);
-  if (!config.empty()) pipeline::applyYaml(fields, readFile(config), config);
-  for (const auto& assignment : assignments) pipeline::applyAssignment(fields, assignment);
+  std::set<std::string> set;
+  if (!config.empty()) set = pipeline::applyYaml(fields, readFile(config), config);
+  for (const auto& assignment : assignments) set.insert(pipeline::applyAssignment(fields, assignment));
+  if (given != nullptr) *given = set;
   if (!robot.empty()) options.cell.robot = robot;
   if (!workpiece_pose.empty()) parsePose(workpiece_pose, options.cell.workpiece);
   return options;

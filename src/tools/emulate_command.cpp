@@ -30,7 +30,8 @@ struct EmulateFlags {
 constexpr double s_part_table = -0.024;  // [m], spec of the S part
 
 void addFlags(CLI::App& command, EmulateFlags& flags) {
-  command.add_option("--workpiece", flags.workpiece, "mesh to scan (PLY, STL, OBJ, OFF); default: the S part")->type_name("FILE");
+  command.add_option("--workpiece", flags.workpiece, "mesh to scan (PLY, STL, OBJ, OFF); default: the S part")
+      ->type_name("FILE");
   command.add_option("--units", flags.units, "of the mesh: m (default), mm or inch");
   command.add_option("--scale", flags.scale, "factor on the mesh's coordinates")->check(CLI::PositiveNumber);
   command.add_option("--errors", flags.errors, "error set: none (default), white or realistic");
@@ -74,31 +75,34 @@ void printEvidence(const sensing::EmulatedScan& scan, const std::string& out) {
   std::printf("emulated  %d rows, %zu samples, %.1f s of scanning\n", scan.rows, range.samples, scan.duration);
   std::printf("range     nearest %.1f mm, farthest %.1f mm\n", 1e3 * range.nearest, 1e3 * range.farthest);
   if (range.too_near + range.too_far > 0) {
-    std::printf("note      out of the sensor's range: %s too near, %s too far; if that is the part, sweep it a second time "
-                "with --set emulate.raster.height=… higher or lower\n",
-                share(range.too_near, range.samples).c_str(), share(range.too_far, range.samples).c_str());
+    std::printf(
+        "note      out of the sensor's range: %s too near, %s too far; if that is the part, sweep it a second time "
+        "with --set emulate.raster.height=… higher or lower\n",
+        share(range.too_near, range.samples).c_str(), share(range.too_far, range.samples).c_str());
   }
   std::printf("log in    %s\n", out.c_str());
 }
 
 int emulate(const EmulateFlags& flags) {
-  pipeline::JobOptions options = flags.common.options();
+  std::set<std::string> given;
+  pipeline::JobOptions options = flags.common.options(&given);
   if (!flags.errors.empty()) {
     options.emulate.errors = sensing::errorPreset(parseEnum<sensing::ErrorSet>("--errors", flags.errors));
     const auto fields = pipeline::fieldReferences(options);
     for (const auto& assignment : flags.common.assignments) pipeline::applyAssignment(fields, assignment);
   }
   if (flags.seed) options.emulate.seed = *flags.seed;
+  const World world = worldFrom(flags);
+  if (!flags.workpiece.empty() && given.count("emulate.raster.height") == 0) {
+    options.emulate.raster.height = rasterHeight(world.bounds, options.cell.laser);
+  }
   if (flags.common.print_config) {
     std::fputs(pipeline::formatYaml(pipeline::fieldReferences(options)).c_str(), stdout);
     return 0;
   }
   if (flags.out.empty()) throw InputError("emulate: --out is missing");
   validate(options, "");
-  const World world = worldFrom(flags);
   const pipeline::Cell cell = pipeline::makeCell(options.cell, flags.common.packagePath());
-  const bool height_given = options.emulate.raster.height != sensing::RasterOptions().height;
-  if (!flags.workpiece.empty() && !height_given) options.emulate.raster.height = rasterHeight(world.bounds, cell.laser);
   const Eigen::AlignedBox2d rectangle(world.bounds.min().head<2>(), world.bounds.max().head<2>());
   sensing::EmulatedScan scan;
   {

@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import resource
 import shutil
 import signal
@@ -90,6 +91,32 @@ class CommandLine(unittest.TestCase):
         done = run("emulate", "--errors", "realistic", "--set", "emulate.errors.spike_rate=0.125", "--print-config")
         self.assertIn("spike_rate: 0.125", done.stdout)
         self.assertIn("noise_sigma: 2e-06", done.stdout)
+
+    def test_an_explicit_raster_height_wins_over_the_parts(self):
+        part = self.root / "plate.off"
+        corners = [(x, y, 0.1) for y in (0, 0.02) for x in (0, 0.05)]
+        part.write_text("OFF\n4 2 0\n" + "".join("%g %g %g\n" % corner for corner in corners) + "3 0 1 3\n3 0 3 2\n")
+        pose = ["--workpiece-pose", "0.85 -0.08 0.35 0 0 0"]
+
+        def height(*flags):
+            printed = run("emulate", "--workpiece", part, "--print-config", *flags).stdout
+            return float(re.search(r"\n +height: (\S+)  # \[m\] of the sensor above", printed).group(1))
+
+        # The plate lies at 0.1 m; the middle of the laser's range of 55 to 105 mm is 80 mm.
+        self.assertAlmostEqual(height(), 0.180, places=12)
+        default = float(re.search(r"\n +height: (\S+)  # \[m\] of the sensor above",
+                                  run("emulate", "--print-config").stdout).group(1))
+        explicit = ["--set", f"emulate.raster.height={default}"]
+        self.assertEqual(height(*explicit), default)
+        config = self.root / "height.yaml"
+        config.write_text(f"emulate: {{raster: {{height: {default}}}}}\n")
+        self.assertEqual(height("--config", config), default)
+        # 20 mm below the plate the sensor sees nothing at all.
+        for flags, nearest in (([], "nearest 80.0 mm"), (explicit, "nearest 0.0 mm")):
+            done = run("emulate", "--workpiece", part, *pose, *SMALL, *flags, "--set", "emulate.raster.pitch=0.005",
+                       "--out", self.root / "plate.csv")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(nearest, done.stdout)
 
     def test_printed_configuration_reads_back_as_itself(self):
         printed = run("plan", "--print-config", "--set", "path.lead=0.125").stdout

@@ -102,6 +102,15 @@ TEST(Configuration, EmptyTextAndEmptySectionChangeNothing) {
   EXPECT_EQ(outer.inner.length, Inner().length);
 }
 
+TEST(Configuration, TellsWhatWasSetBeItTheDefault) {
+  Outer outer;
+  const auto fields = fieldReferences(outer);
+  EXPECT_THAT(applyYaml(fields, "count: 3\ninner:\n  length: 0.25\n", "t"),
+              ::testing::UnorderedElementsAre("count", "inner.length"));
+  EXPECT_TRUE(applyYaml(fields, "inner:\n", "t").empty());
+  EXPECT_EQ(applyAssignment(fields, " inner.axis =[0, 0, 1]"), "inner.axis");
+}
+
 TEST(Configuration, NamesTheNearestKey) {
   EXPECT_THAT(yamlError("inner:\n  lenght: 1\n"), HasSubstr("cell.yaml line 2: unknown key inner.lenght"));
   EXPECT_THAT(yamlError("inner:\n  lenght: 1\n"), HasSubstr("did you mean inner.length?"));

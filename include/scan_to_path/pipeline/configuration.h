@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -51,12 +52,13 @@ std::vector<FieldReference> fieldReferences(Options& options, const std::string&
   return references;
 }
 
-/// Overwrites the fields that a YAML text names. `source` stands in messages. Throws InputError with the line for text
+/// Overwrites the fields that a YAML text names and returns their paths. `source` stands in messages. Throws InputError with the line for text
 /// that is not YAML, an unknown key (naming the nearest one), a value of the wrong type, a key given twice.
-void applyYaml(const std::vector<FieldReference>& fields, const std::string& text, const std::string& source);
+std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const std::string& text, const std::string& source);
 
-/// Overwrites one field from "section.name=value" (the value as in YAML). Throws InputError as applyYaml does.
-void applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment);
+/// Overwrites one field from "section.name=value" (the value as in YAML) and returns its path. Throws InputError as
+/// applyYaml does.
+std::string applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment);
 
 /// The whole tree as YAML with unit and help beside each key; applyYaml of it changes nothing.
 std::string formatYaml(const std::vector<FieldReference>& fields);
