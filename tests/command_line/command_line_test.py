@@ -9,8 +9,10 @@ import hashlib
 import json
 import os
 import pathlib
+import pty
 import re
 import resource
+import select
 import shutil
 import signal
 import subprocess
@@ -28,9 +30,38 @@ del sys.argv[1:3]
 SMALL = ["--set", "emulate.raster.pitch=0.02", "--set", "emulate.sample_rate=500", "--set", "emulate.joint_rate=500"]
 
 
+INTERRUPTED = "scan_to_path: interrupted; nothing was written\r\n"
+
+
 def run(*arguments, **keywords):
     return subprocess.run([str(EXECUTABLE), *map(str, arguments)], capture_output=True, text=True, timeout=120,
                           check=False, **keywords)
+
+
+def no_room():
+    """In the child: writing more than 20 kB fails, as on a full disk."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+
+def interrupted_at(stage, *arguments):
+    """Exit status and last line on the terminal of a run that gets SIGINT as soon as its progress shows `stage`."""
+    terminal, child_end = pty.openpty()
+    child = subprocess.Popen([str(EXECUTABLE), *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=child_end)
+    os.close(child_end)
+    shown, sent, end = "", False, time.monotonic() + 60
+    while time.monotonic() < end and select.select([terminal], [], [], end - time.monotonic())[0]:
+        try:
+            shown += os.read(terminal, 4096).decode()
+        except OSError:  # the child has closed its end
+            break
+        if not sent and re.search(stage + r" *\[[#.]{40}\]", shown):
+            child.send_signal(signal.SIGINT)
+            sent = True
+    os.close(terminal)
+    status = child.wait(timeout=30)
+    assert sent, f"no progress of {stage} in {shown!r}"
+    return status, shown.rsplit("\x1b[K", 1)[-1]
 
 
 def digests(directory):
@@ -249,11 +280,6 @@ class CommandLine(unittest.TestCase):
     def test_full_disk_leaves_the_older_result(self):
         self.assertEqual(self.plan(out="full").returncode, 0)
         before = digests(self.root / "full")
-
-        def no_room():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-
         self.assert_refused(self.plan(out="full", preexec_fn=no_room, restore_signals=False), "cannot write", out="full")
         self.assertEqual(digests(self.root / "full"), before)
 
@@ -266,16 +292,33 @@ class CommandLine(unittest.TestCase):
         self.assertIn("path.csv", names)
         self.assertFalse([name for name in names if name.startswith("program") or name == "pulses.csv"])
 
+    def test_full_disk_leaves_the_older_log(self):
+        log = self.root / "full.csv"
+        log.write_text("an older log")
+        done = run("emulate", *SMALL, "--out", log, preexec_fn=no_room, restore_signals=False)
+        self.assert_refused(done, "cannot write", "full.csv", out="full.csv")
+        self.assertEqual(log.read_text(), "an older log")
+        self.assertGreater(self.log.stat().st_size, 20000)
+        self.assert_refused(run("emulate", *SMALL, "--out", "/dev/full"), "cannot write", "/dev/full")
+
     def test_interrupt_leaves_nothing(self):
-        child = subprocess.Popen([str(EXECUTABLE), "emulate", "--set", "emulate.raster.pitch=0.0002", "--set",
-                                  "emulate.sample_rate=5000", "--out", str(self.root / "interrupted.csv")],
-                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.5)
-        child.send_signal(signal.SIGINT)
-        _, errors = child.communicate(timeout=30)
-        self.assertEqual(child.returncode, 130)
-        self.assertEqual(errors.count("\n"), 1, errors)
+        big = ["--set", "emulate.raster.pitch=0.0002", "--set", "emulate.sample_rate=5000"]
+        for stage in ("planning the scan", "scanning"):
+            status, last_line = interrupted_at(stage, "emulate", *big, "--out", self.root / "interrupted.csv")
+            self.assertEqual((status, last_line), (130, INTERRUPTED), stage)
         self.assertFalse([name for name in os.listdir(self.root) if name.startswith("interrupted")])
+
+    def test_interrupted_plan_leaves_the_older_result(self):
+        out = self.root / "plan_interrupted"
+        for stage in ("rows", "lines", "motion"):
+            status, last_line = interrupted_at(stage, "plan", "--input", self.log, "--out", out)
+            self.assertEqual((status, last_line), (130, INTERRUPTED), stage)
+            self.assertFalse([name for name in os.listdir(self.root) if name.startswith("plan_interrupted")], stage)
+        self.assertEqual(self.plan(out="plan_interrupted").returncode, 0)
+        before = digests(out)
+        self.assertEqual(interrupted_at("path", "plan", "--input", self.log, "--out", out)[0], 130)
+        self.assertEqual(digests(out), before)
+        self.assertFalse((self.root / "plan_interrupted.part").exists())
 
 
 if __name__ == "__main__":
