@@ -99,28 +99,39 @@ TEST(SurfaceRows, OppositeDirectionIsTheSameRowsBackwards) {
   }
 }
 
-TEST(SurfaceRows, KeepTheChordTolerance) {
-  const auto scan = test::fittedSPart();
+/// Farthest of the surface from the moves between waypoints, at quarters of them [m].
+double widestChordError(const RowPlan& plan, const scan::FittedScan& scan) {
   const toolpath::ScanSurface surface(scan.surface);
-  CuttingOptions options;
   double widest = 0.0;
-  const RowPlan plan = surfaceRows(scan, options);
   for (const Row& row : plan.rows) {
     for (std::size_t i = 1; i < row.points.size(); ++i) {
       const RowPoint& a = row.points[i - 1];
       const RowPoint& b = row.points[i];
-      EXPECT_LE((b.point - a.point).norm(), options.max_spacing * (1.0 + 1e-3));
       for (const double share : {0.25, 0.5, 0.75}) {
         const Vector3 p = a.point + share * (b.point - a.point);
         const auto jet = surface.jet(p.x(), p.y());
-        const double off = std::abs(p.z() - jet.z) / std::sqrt(1.0 + jet.zx * jet.zx);
-        widest = std::max(widest, off);
+        widest = std::max(widest, std::abs(p.z() - jet.z) / std::sqrt(1.0 + jet.zx * jet.zx));
       }
     }
   }
+  return widest;
+}
+
+TEST(SurfaceRows, KeepTheChordTolerance) {
+  const auto scan = test::fittedSPart();
+  CuttingOptions options;
+  RowPlan plan = surfaceRows(scan, options);
+  for (const Row& row : plan.rows) {
+    for (std::size_t i = 1; i < row.points.size(); ++i) {
+      EXPECT_LE((row.points[i].point - row.points[i - 1].point).norm(), options.max_spacing * (1.0 + 1e-3));
+    }
+  }
+  const double widest = widestChordError(plan, scan);
   EXPECT_LE(widest, options.chord_tolerance);
   EXPECT_GE(widest, 0.5 * options.chord_tolerance);  // else there are too many waypoints
   EXPECT_LT(plan.rows.front().points.size(), 250U);
+  for (Row& row : plan.rows) row.points.erase(row.points.begin() + static_cast<std::ptrdiff_t>(row.points.size() / 4));
+  EXPECT_GT(widestChordError(plan, scan), options.chord_tolerance);  // twin: a waypoint of each row is missing
 }
 
 TEST(SurfaceRows, AHoleSplitsThem) {
