@@ -16,23 +16,16 @@ constexpr std::size_t least_side = 3;  ///< samples: two have no residual that c
 struct Direction {
   double variance = 0.0;    ///< of the samples' x, summed [m^2]
   double covariance = 0.0;  ///< of x and height, summed [m^2]
-  double residual = 0.0;    ///< squares of heights off the line, summed [m^2]
 
   double angle() const { return std::atan2(covariance, variance); }  ///< [rad]
-
-  /// Squares of distances off the line, summed [m^2].
-  double offLine() const {
-    const double square = variance * variance + covariance * covariance;
-    return square > 0.0 ? residual * variance * variance / square : 0.0;
-  }
 };
 
 /// Sums from which the least-squares line through any stretch of samples follows.
 struct PrefixSums {
-  std::vector<double> x, z, xx, xz, zz;
+  std::vector<double> x, z, xx, xz;
 
   explicit PrefixSums(const RowPiece& piece) {
-    for (auto* sums : {&x, &z, &xx, &xz, &zz}) sums->assign(piece.size() + 1, 0.0);
+    for (auto* sums : {&x, &z, &xx, &xz}) sums->assign(piece.size() + 1, 0.0);
     const double x0 = piece.x.front();
     const double z0 = piece.z.front();
     for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -42,7 +35,6 @@ struct PrefixSums {
       z[i + 1] = z[i] + dz;
       xx[i + 1] = xx[i] + dx * dx;
       xz[i + 1] = xz[i] + dx * dz;
-      zz[i + 1] = zz[i] + dz * dz;
     }
   }
 
@@ -50,12 +42,7 @@ struct PrefixSums {
   Direction direction(std::size_t begin, std::size_t end) const {
     const double n = static_cast<double>(end - begin);
     const double sx = x[end] - x[begin];
-    const double sz = z[end] - z[begin];
-    const double variance = xx[end] - xx[begin] - sx * sx / n;
-    const double covariance = xz[end] - xz[begin] - sx * sz / n;
-    const double height = zz[end] - zz[begin] - sz * sz / n;
-    const double explained = variance > 0.0 ? covariance * covariance / variance : 0.0;
-    return {variance, covariance, std::max(0.0, height - explained)};
+    return {xx[end] - xx[begin] - sx * sx / n, xz[end] - xz[begin] - sx * (z[end] - z[begin]) / n};
   }
 };
 
@@ -98,7 +85,7 @@ public:
     const auto [begin, end] = around(i, window_);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = begin + least_side; k + least_side <= end; ++k) {
-      const double residual = sums_.direction(begin, k).offLine() + sums_.direction(k, end).offLine();
+      const double residual = offLine(begin, k) + offLine(k, end);
       if (residual < least) best.index = k;
       least = std::min(least, residual);
     }
@@ -126,15 +113,30 @@ public:
     const Direction before = sums_.direction(begin, corner.index);
     const Direction after = sums_.direction(corner.index, end);
     const double freedom = static_cast<double>(end - begin) - 4.0;
-    const double noise = (before.residual + after.residual) / freedom;
-    // A slope s scatters by noise / variance; its angle by cos^2 of it, which is squared here.
+    const double noise = (offLine(begin, corner.index) + offLine(corner.index, end)) / freedom;
+    // The angle of a line scatters by the noise across it over the samples' spread along it.
     const auto scatter = [noise](const Direction& side) {
-      return noise * std::pow(std::cos(side.angle()), 4) / side.variance;
+      return noise * std::pow(std::cos(side.angle()), 2) / side.variance;
     };
     return corner.angle * corner.angle > sigmas * sigmas * (scatter(before) + scatter(after));
   }
 
 private:
+  /// Squares of the distances of samples [begin, end) off their line, summed [m^2].
+  double offLine(std::size_t begin, std::size_t end) const {
+    const double angle = sums_.direction(begin, end).angle();
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double across = cosine * (piece_.z[i] - piece_.z[begin]) - sine * (piece_.x[i] - piece_.x[begin]);
+      sum += across;
+      squares += across * across;
+    }
+    return squares - sum * sum / static_cast<double>(end - begin);
+  }
+
   bool isCutShort(std::size_t i) const { return shorterWindow(i) < window_; }
 
   /// Half of the samples on one side; where the piece's end cuts a window short, not so few that noise decides.
