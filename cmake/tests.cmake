@@ -26,3 +26,12 @@ function(scan_to_path_test name)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
 endfunction()
+
+# PCL's features and trees: an oracle in tests, a rival in benchmarks. By name: find_package(PCL COMPONENTS features)
+# brings VTK and MPI along.
+add_library(scan_to_path_pcl_oracle INTERFACE)
+foreach(library features search kdtree common)
+  find_library(PCL_${library} pcl_${library} REQUIRED)
+  target_link_libraries(scan_to_path_pcl_oracle INTERFACE ${PCL_${library}})
+endforeach()
+target_link_libraries(scan_to_path_pcl_oracle INTERFACE scan_to_path_pcl lz4)
