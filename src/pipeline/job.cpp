@@ -91,6 +91,7 @@ private:
   void fit() {
     fit_ = fitStage(scan_, options_.scan, options_.fit, options_.report, request_.threads, progress_);
     take(fit_.report, fit_.accuracy);
+    report_.notes.insert(report_.notes.end(), fit_.notes.begin(), fit_.notes.end());
   }
 
   void path() {

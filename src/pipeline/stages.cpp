@@ -7,6 +7,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/pipeline/unseen_share.h"
 #include "scan_to_path/process/cutting.h"
 #include "scan_to_path/scan/cloud_io.h"
 #include "scan_to_path/verification/playback.h"
@@ -132,8 +133,9 @@ ScanStage scanFromCloud(std::string_view content, const std::string& name, Units
 FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, const scan::FitOptions& fit_options,
                   const ReportOptions& limits, int threads, const Progress& progress) {
   FitStage stage;
-  stage.scan =
-      scan::fitScan(scanned.cloud, scanned.mean_beam, scan_options.cloud, fit_options, threads, progress);
+  const scan::SampleRows rows =
+      scan::cleanRows(scanned.cloud, scanned.mean_beam, scan_options.cloud, threads, progress);
+  stage.scan = scan::fitRows(rows, fit_options, threads, progress);
   const scan::FittedScan& scan = stage.scan;
   stage.report = {"fit", scan.samples_in, scan.samples_used, scan.dropped};
   double squares = 0.0;
@@ -150,6 +152,10 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   dropped.insert(dropped.end(), scan.dropped.begin(), scan.dropped.end());
   stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
+  // The filter cuts a row at a gap of max_gap, and of five samples at least.
+  const UnseenShare unseen = unseenShare(rows, std::max(scan_options.cloud.filter.max_gap, 5.0 * rows.spacing));
+  stage.accuracy.push_back({"unseen_share", unseen.sum(), "1"});
+  if (const auto note = unseenNote(unseen, limits.note_unseen_share)) stage.notes.push_back(*note);
   return stage;
 }
 

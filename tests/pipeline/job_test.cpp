@@ -191,6 +191,21 @@ TEST_F(JobTest, SamplesWithoutJointReadingsCountAsLost) {
   EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("dropped_share")));
 }
 
+TEST_F(JobTest, WhatWasNotSeenInsideThePartIsNoted) {
+  const auto plate = [](double x_min, double x_max, double y_min, double y_max) {
+    return std::make_shared<geometry::FlatPart>(geometry::Rectangle{x_min, x_max, y_min, y_max});
+  };
+  const geometry::Scene part({plate(-0.03, -0.01, -0.03, 0.03), plate(0.01, 0.03, -0.03, 0.03),
+                              plate(-0.01, 0.01, -0.03, -0.01), plate(-0.01, 0.01, 0.01, 0.03)});
+  auto job = request("pocket");
+  job.input = *directory_ / "pocket.csv";
+  job.stop_after = Stage::fit;
+  std::ofstream(job.input) << scan::formatSampleLog(smallScan(part));
+  EXPECT_THAT(runJob(job, {}, {}).summary, ::testing::Contains(HasSubstr("sweep the part a second time")));
+  job.input = *directory_ / "samples.csv";
+  EXPECT_THAT(runJob(job, {}, {}).summary, ::testing::Not(::testing::Contains(HasSubstr("second time"))));
+}
+
 TEST_F(JobTest, ABrokenToleranceFailsTheJobByName) {
   JobOptions options;
   options.report.max_line_residual = 1e-7;

@@ -19,13 +19,13 @@ inline const std::vector<std::filesystem::path> source_package = {SCAN_TO_PATH_S
 /// A saddle of 60 mm by 60 mm: small enough to scan within a second, curved enough to need a fit.
 inline geometry::Saddle smallPart() { return geometry::Saddle(0.15, 0.03); }
 
-/// Noise-free scan of the small part at 4 mm pitch, without a table.
-inline scan::SampleLog smallScan() {
+/// Scan with little noise of the small part, or of a scene, over 60 mm by 60 mm at 4 mm pitch, without a table.
+inline scan::SampleLog smallScan(const geometry::Surface& scene = smallPart()) {
   const Cell cell = makeCell(CellOptions(), source_package);
   sensing::EmulationOptions options;
   options.errors.noise_sigma = 2e-6;
   const Eigen::AlignedBox2d rectangle(Eigen::Vector2d(-0.03, -0.03), Eigen::Vector2d(0.03, 0.03));
-  return sensing::emulateScan(smallPart(), rectangle, cell.T_base_workpiece, cell.robot, cell.encoders, cell.laser,
+  return sensing::emulateScan(scene, rectangle, cell.T_base_workpiece, cell.robot, cell.encoders, cell.laser,
                               cell.T_tip_sensor, options)
       .log;
 }

@@ -41,6 +41,7 @@ struct FitStage {
   scan::FittedScan scan;
   StageReport report;
   std::vector<Accuracy> accuracy;
+  std::vector<std::string> notes;
 };
 
 FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, const scan::FitOptions& fit_options,

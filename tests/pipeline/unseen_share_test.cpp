@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/unseen_share.h"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+
+#include "scan_to_path/geometry/scene.h"
+#include "scan_to_path/geometry/worlds.h"
+#include "scan_to_path/pipeline/stages.h"
+#include "small_scan.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+using geometry::FlatPart;
+using geometry::Rectangle;
+using ::testing::HasSubstr;
+using Surfaces = std::vector<std::shared_ptr<const geometry::Surface>>;
+
+/// Plates at z = 0.
+Surfaces plates(const std::vector<Rectangle>& rectangles) {
+  Surfaces surfaces;
+  for (const auto& rectangle : rectangles) surfaces.push_back(std::make_shared<FlatPart>(rectangle));
+  return surfaces;
+}
+
+std::shared_ptr<const geometry::Surface> floorAt(double z) {
+  return std::make_shared<geometry::PosedSurface>(std::make_shared<geometry::Plane>(),
+                                                  geometry::makeFrame({0, 0, z}, Vector3::Zero()));
+}
+
+FitStage fitted(Surfaces surfaces, const ReportOptions& limits = {}) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const geometry::Scene scene(std::move(surfaces));
+  return fitStage(scanFromSamples(smallScan(scene), cell, {}, {}, 1, {}), {}, {}, limits, 1, {});
+}
+
+double unseen(const FitStage& fit) {
+  for (const auto& figure : fit.accuracy) {
+    if (figure.name == "unseen_share") return figure.value;
+  }
+  return -1.0;
+}
+
+// 60 mm by 60 mm, rows at y = -28, -24, … 28 mm; a pocket of 20 mm by 20 mm takes a third of the five within +-10 mm.
+const std::vector<Rectangle> pocketed = {
+    {-0.03, -0.01, -0.03, 0.03}, {0.01, 0.03, -0.03, 0.03}, {-0.01, 0.01, -0.03, -0.01}, {-0.01, 0.01, 0.01, 0.03}};
+constexpr double pocket_share = 5.0 * 0.020 / (15.0 * 0.060);
+// A row's ends and a gap's are known to a sample, 50 um: 4 of them on 20 mm, 2 on 60 mm.
+constexpr double tolerance = pocket_share * (4 * 50e-6 / 0.020 + 2 * 50e-6 / 0.060);
+
+TEST(UnseenShare, OfAWholePlateIsNothing) {
+  const FitStage fit = fitted(plates({{-0.03, 0.03, -0.03, 0.03}}));
+  EXPECT_EQ(unseen(fit), 0.0);
+  EXPECT_TRUE(fit.notes.empty());
+}
+
+// The pocket's floor is 140 mm from the sensor, which sees to 105 mm.
+TEST(UnseenShare, OfAPocketBeyondTheRangeIsItsShareOfTheRows) {
+  auto surfaces = plates(pocketed);
+  surfaces.push_back(floorAt(-0.06));
+  const FitStage fit = fitted(surfaces);
+  EXPECT_NEAR(unseen(fit), pocket_share, tolerance);
+  ASSERT_EQ(fit.notes.size(), 1U);
+  EXPECT_THAT(fit.notes[0], HasSubstr("% no return, 0.0 % table or dropped)"));
+  ReportOptions limits;
+  limits.note_unseen_share = 0.2;
+  EXPECT_TRUE(fitted(surfaces, limits).notes.empty());
+}
+
+TEST(UnseenShare, TheNoteNamesShareAndRemedy) {
+  EXPECT_EQ(unseenNote({0.1, 0.025}, 0.05),
+            "12.5 % of the rows inside the part's outline was not seen as part (10.0 % no return, 2.5 % table or "
+            "dropped): where that is no hole, sweep the part a second time from another height or direction");
+  EXPECT_FALSE(unseenNote({0.1, 0.025}, 0.2));
+}
+
+TEST(UnseenShare, ATableSeenThroughThePartIsTold) {
+  auto surfaces = plates(pocketed);
+  surfaces.push_back(floorAt(-0.024));
+  const FitStage fit = fitted(surfaces);
+  EXPECT_NEAR(unseen(fit), pocket_share, tolerance);
+  ASSERT_EQ(fit.notes.size(), 1U);
+  EXPECT_THAT(fit.notes[0], HasSubstr("(0.0 % no return, 11.1 % table or dropped)"));
+}
+
+// A slot of 20 mm along the rows, through and through: 5 of 15 rows.
+TEST(UnseenShare, MissingRowsCountToo) {
+  const FitStage fit = fitted(plates({{-0.03, 0.03, -0.03, -0.01}, {-0.03, 0.03, 0.01, 0.03}}));
+  EXPECT_NEAR(unseen(fit), 5.0 / 15.0, 2 * 50e-6 / 0.060);
+  EXPECT_EQ(fit.notes.size(), 1U);
+}
+
+TEST(UnseenShare, AlternatingPitchesAreNoGap) {
+  scan::SampleRows rows;
+  rows.spacing = 0.001;
+  std::uint32_t index = 0;
+  double y = 0.0;
+  for (int row = 0; row < 20; ++row) {
+    scan::RowPiece piece;
+    piece.row = row;
+    for (int i = 0; i < 10; ++i) {
+      piece.x.push_back(0.001 * i);
+      piece.y.push_back(y);
+      piece.z.push_back(0.0);
+      piece.index.push_back(index++);
+    }
+    rows.pieces.push_back(piece);
+    y += row % 2 == 0 ? 0.001 : 0.004;
+  }
+  EXPECT_EQ(unseenShare(rows, 0.002).sum(), 0.0);
+  rows.pieces.erase(rows.pieces.begin() + 5, rows.pieces.begin() + 11);
+  EXPECT_GT(unseenShare(rows, 0.002).sum(), 0.1);
+  EXPECT_EQ(unseenShare({}, 0.002).sum(), 0.0);
+}
+
+}  // namespace
+}  // namespace scan_to_path::pipeline
