@@ -34,6 +34,15 @@ void appendPose(std::string& text, const Frame& pose, char separator) {
   }
 }
 
+void appendLift(std::string& text, const geometry::Vector3& lift) {
+  if (lift.isZero(0.0)) return;
+  text += "\n# lift";
+  for (int i = 0; i < 3; ++i) {
+    text += ' ';
+    appendFixed(text, lift[i], length_digits);
+  }
+}
+
 /// Names stand in a comma-separated file and must come back as they went.
 bool isName(std::string_view name) {
   return !name.empty() && name == trimmed(name) && name.find_first_of(",\r\n") == std::string_view::npos;
@@ -48,6 +57,7 @@ void checkName(const char* what, const std::string& name) {
 void checkWritable(const ToolPath& path) {
   checkName("process", path.process);
   checkName("frame", path.frame);
+  if (!path.lift.allFinite()) throw InputError("tool path: lift is not finite");
   for (const auto& segment : path.segments) {
     checkName("segment", segment.name);
     if (segment.waypoints.empty()) throw InputError("tool path: segment " + segment.name + " has no waypoints");
@@ -98,6 +108,7 @@ private:
       rest = trimmed(rest.substr(word.size()));
       if (word == "process") path_.process = rest;
       if (word == "frame") path_.frame = rest;
+      if (word == "lift") path_.lift = lift(split(rest, ' '));
       if (word == "T_contact_tcp") {
         path_.T_contact_tcp = pose(split(rest, ' '), 0);
         has_tcp = true;
@@ -115,6 +126,11 @@ private:
       fail(std::string(column) + " is \"" + std::string(cell) + "\", must be a finite number");
     }
     return value;
+  }
+
+  geometry::Vector3 lift(const std::vector<std::string_view>& cells) const {
+    if (cells.size() != 3) fail("lift must have the three numbers x y z");
+    return {number(cells[0], "x"), number(cells[1], "y"), number(cells[2], "z")};
   }
 
   Frame pose(const std::vector<std::string_view>& cells, std::size_t first) const {
@@ -175,6 +191,14 @@ ToolPath withArcLength(ToolPath path) {
   return path;
 }
 
+ToolPath snapped(ToolPath path) {
+  path.T_contact_tcp = geometry::snapped(path.T_contact_tcp);
+  for (auto& segment : path.segments) {
+    for (auto& waypoint : segment.waypoints) waypoint.pose = geometry::snapped(waypoint.pose);
+  }
+  return path;
+}
+
 std::string formatToolPath(const ToolPath& path) {
   checkWritable(path);
   std::string text;
@@ -182,6 +206,7 @@ std::string formatToolPath(const ToolPath& path) {
   text.append(first_line).append("\n# process ").append(path.process).append("\n# frame ").append(path.frame);
   text += "\n# T_contact_tcp ";
   appendPose(text, path.T_contact_tcp, ' ');
+  appendLift(text, path.lift);
   text.append("\n").append(header).append("\n");
   for (const auto& segment : path.segments) {
     for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {

@@ -19,6 +19,16 @@ struct Waypoint {
   double arc_length = 0.0;         ///< from the segment's first waypoint [m]
 };
 
+/// A waypoint by its place in a path.
+struct WaypointIndex {
+  int segment = 0;  ///< index into the path's segments
+  int index = 0;    ///< index into the segment's waypoints
+
+  bool operator<(const WaypointIndex& other) const {
+    return segment != other.segment ? segment < other.segment : index < other.index;
+  }
+};
+
 /// Waypoints that are driven without a stop: one row with its lead-in and lead-out, an approach, a link.
 struct Segment {
   std::string name;  ///< e.g. "row_3", "approach", "link_3_4"
@@ -29,6 +39,7 @@ struct ToolPath {
   std::string process;                   ///< "cutting", …
   std::string frame;                     ///< the frame of every pose, e.g. "base_link"
   Frame T_contact_tcp = Frame::Identity();  ///< tool centre point in the contact frame, constant along the path
+  geometry::Vector3 lift = geometry::Vector3::Zero();  ///< of an air run off the part [m], in `frame`; zero: on the part
   std::vector<Segment> segments;
 };
 
@@ -37,7 +48,10 @@ std::size_t waypointCount(const ToolPath& path);
 /// Fills every segment's arc_length from its poses.
 ToolPath withArcLength(ToolPath path);
 
-/// path.csv as docs/file_formats.md has it: comments with frame and T_contact_tcp, then
+/// The path with every pose snapped (geometry::snapped): what files and messages carry is what is driven.
+ToolPath snapped(ToolPath path);
+
+/// path.csv as docs/file_formats.md has it: comments with frame, T_contact_tcp and, of an air run, the lift, then
 /// `segment,index,x,y,z,qx,qy,qz,qw,feed,process_on` (m, m/s; 1e-9 m and 1e-12 in the quaternion).
 std::string formatToolPath(const ToolPath& path);
 

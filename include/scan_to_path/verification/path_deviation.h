@@ -8,12 +8,7 @@
 namespace scan_to_path::verification {
 
 using geometry::Frame;
-
-/// A waypoint by its place in the path.
-struct WaypointIndex {
-  int segment = 0;
-  int index = 0;
-};
+using toolpath::WaypointIndex;
 
 /// How far a path's contacts are off a reference surface.
 struct PathDeviation {
