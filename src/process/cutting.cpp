@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "scan_to_path/common/error.h"
@@ -20,6 +21,7 @@ namespace {
 using toolpath::Segment;
 using toolpath::ToolPath;
 using toolpath::Waypoint;
+using toolpath::WaypointIndex;
 
 int passCount(const CuttingOptions& options) {
   // The small part keeps a stock of exactly n cuts from making n + 1 passes.
@@ -80,12 +82,19 @@ void addRows(ToolPath& path, std::vector<double>& allowances, const RowPlan& pla
   }
 }
 
-/// Links have no stock to keep off; every row keeps its own.
-std::vector<double> allowancesWithLinks(const ToolPath& path, const std::vector<double>& of_rows) {
-  std::vector<double> allowances;
+/// One value a segment from one value a row; `none` where there is no row.
+template <class Value>
+std::vector<Value> withLinksBetween(const ToolPath& path, const std::vector<Value>& of_rows, const Value& none) {
+  std::vector<Value> values;
   auto next = of_rows.begin();
-  for (const Segment& segment : path.segments) allowances.push_back(toolpath::isRow(segment) ? *next++ : 0.0);
-  return allowances;
+  for (const Segment& segment : path.segments) values.push_back(toolpath::isRow(segment) ? *next++ : none);
+  return values;
+}
+
+std::vector<Segment> rowsOf(const ToolPath& path) {
+  std::vector<Segment> rows;
+  std::copy_if(path.segments.begin(), path.segments.end(), std::back_inserter(rows), toolpath::isRow);
+  return rows;
 }
 
 struct Travel {
@@ -119,17 +128,31 @@ void addDistances(std::vector<Figure>& figures, std::vector<double> distances) {
   figures.push_back({"row_distance_max", distances.back(), "m"});
 }
 
-std::vector<Figure> figuresOf(const PlannedPath& planned, const RowPlan& plan) {
-  const Travel travel = travelOf(planned.path);
+std::vector<Figure> rowFigures(const RowPlan& plan) {
   std::vector<Figure> figures = {{"rows", static_cast<double>(plan.distances.size() + 1), ""}};
   addDistances(figures, plan.distances);
-  figures.push_back({"waypoints", static_cast<double>(toolpath::waypointCount(planned.path)), ""});
-  figures.push_back({"cutting_length", travel.cutting, "m"});
-  figures.push_back({"path_length", travel.length, "m"});
-  figures.push_back({"time", travel.time, "s"});
   figures.push_back({"scallop", plan.widest_scallop, "m"});
-  figures.push_back({"gouges", static_cast<double>(planned.findings.size()), ""});
   return figures;
+}
+
+void setFigure(std::vector<Figure>& figures, const Figure& figure) {
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.name == figure.name; });
+  if (found == figures.end()) {
+    figures.push_back(figure);
+  } else {
+    *found = figure;
+  }
+}
+
+void setTravelFigures(PlannedPath& planned) {
+  const Travel travel = travelOf(planned.path);
+  for (const Figure& figure : {Figure{"waypoints", static_cast<double>(toolpath::waypointCount(planned.path)), ""},
+                               Figure{"cutting_length", travel.cutting, "m"},
+                               Figure{"path_length", travel.length, "m"},
+                               Figure{"time", travel.time, "s"},
+                               Figure{"gouges", static_cast<double>(planned.findings.size()), ""}}) {
+    setFigure(planned.figures, figure);
+  }
 }
 
 class CuttingPlanner : public Planner {
@@ -137,27 +160,64 @@ public:
   explicit CuttingPlanner(const CuttingOptions& options) : options_(options) { validateCutting(options_, "path"); }
 
   PlannedPath plan(const PlannerInput& input, const Progress& progress) const override {
-    if (input.scan == nullptr) throw InputError("cutting: needs a fitted scan, got none");
-    const scan::FittedScan& scan = *input.scan;
+    const scan::FittedScan& scan = scanOf(input);
     const RowPlan rows = options_.row_source == RowSource::surface ? surfaceRows(scan, options_, progress)
                                                                    : scanLineRows(scan, options_);
     PlannedPath planned;
     planned.path.process = "cutting";
     planned.path.frame = input.frame;
     planned.path.T_contact_tcp = toolpath::ballToolFrame({options_.ball_radius, options_.lead, options_.tilt});
-    std::vector<double> allowances;
-    addRows(planned.path, allowances, rows, scan.T_cloud_scan, options_);
-    planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
-    const Vector3 up = scan.T_cloud_scan.linear().col(2);
-    planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, options_.links);
+    planned.figures = rowFigures(rows);
+    addRows(planned.path, planned.allowances, rows, scan.T_cloud_scan, options_);
+    join(planned, scan, {});
+    for (std::size_t s = 0; s < planned.path.segments.size(); ++s) {
+      const Segment& segment = planned.path.segments[s];
+      const RowPiece row = {static_cast<int>(s), static_cast<int>(firstContact(segment))};
+      planned.pieces.push_back(toolpath::isRow(segment) ? row : RowPiece{});
+    }
     progress.update("path", 1.0);
-    const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance);
-    planned.findings = gouges.check(planned.path, allowancesWithLinks(planned.path, allowances));
-    planned.figures = figuresOf(planned, rows);
     return planned;
   }
 
+  PlannedPath without(const PlannedPath& whole, const std::set<WaypointIndex>& left_out, const PlannerInput& input,
+                      const Progress& progress) const override {
+    const CutRows cut = cutPasses(whole.path, left_out, passCount(options_), shortestPiece());
+    PlannedPath planned;
+    planned.path.process = whole.path.process;
+    planned.path.frame = whole.path.frame;
+    planned.path.T_contact_tcp = whole.path.T_contact_tcp;
+    planned.path.segments = cut.rows;
+    planned.figures = whole.figures;
+    if (!cut.rows.empty()) {
+      for (const RowPiece& piece : cut.pieces) {
+        planned.allowances.push_back(whole.allowances[static_cast<std::size_t>(piece.source)]);
+      }
+      join(planned, scanOf(input), rowsOf(whole.path));
+      planned.pieces = withLinksBetween(planned.path, cut.pieces, RowPiece{});
+    }
+    progress.update("path", 1.0);
+    return planned;
+  }
+
+  double shortestPiece() const override { return options_.ball_radius; }
+
 private:
+  static const scan::FittedScan& scanOf(const PlannerInput& input) {
+    if (input.scan == nullptr) throw InputError("cutting: needs a fitted scan, got none");
+    return *input.scan;
+  }
+
+  /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.
+  void join(PlannedPath& planned, const scan::FittedScan& scan, const std::vector<Segment>& also_below) const {
+    planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
+    const Vector3 up = scan.T_cloud_scan.linear().col(2);
+    planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, options_.links, also_below);
+    planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
+    const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance);
+    planned.findings = gouges.check(planned.path, planned.allowances);
+    setTravelFigures(planned);
+  }
+
   CuttingOptions options_;
 };
 

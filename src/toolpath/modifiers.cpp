@@ -59,15 +59,13 @@ struct RowShadow {
   const Segment* row = nullptr;
 };
 
-std::vector<RowShadow> shadowsOf(const std::vector<Segment>& rows) {
-  std::vector<RowShadow> shadows;
+void addShadows(const std::vector<Segment>& rows, std::vector<RowShadow>& shadows) {
   for (const auto& row : rows) {
     RowShadow shadow;
     shadow.row = &row;
     for (const auto& waypoint : row.waypoints) shadow.box.extend(waypoint.pose.translation());
     shadows.push_back(shadow);
   }
-  return shadows;
 }
 
 /// Distance from p to the straight line between a and b, seen along `up`.
@@ -135,8 +133,12 @@ std::string nameInLinks(std::string name) {
 /// Builds approach, links and retract of one path.
 class Linker {
 public:
-  Linker(const std::vector<Segment>& rows, const Vector3& up, double corridor, const LinkOptions& options)
-      : rows_(rows), shadows_(shadowsOf(rows_)), up_(up), corridor_(corridor), options_(options) {}
+  Linker(const std::vector<Segment>& rows, const Vector3& up, double corridor, const LinkOptions& options,
+         const std::vector<Segment>& also_below)
+      : rows_(rows), up_(up), corridor_(corridor), options_(options) {
+    addShadows(rows, shadows_);
+    addShadows(also_below, shadows_);
+  }
 
   std::vector<Segment> joined() const {
     std::vector<Segment> segments = {approach(rows_.front())};
@@ -201,14 +203,15 @@ ToolPath withLeads(ToolPath path, const LeadOptions& options) {
   return withArcLength(std::move(path));
 }
 
-ToolPath withLinks(ToolPath path, const Vector3& up, double corridor, const LinkOptions& options) {
+ToolPath withLinks(ToolPath path, const Vector3& up, double corridor, const LinkOptions& options,
+                   const std::vector<Segment>& also_below) {
   validate(options, "links");
   std::vector<Segment> rows;
   for (auto& segment : path.segments) {
     if (isRow(segment)) rows.push_back(std::move(segment));
   }
   if (rows.empty()) throw InputError("tool path: no segment works, there is nothing to link");
-  path.segments = Linker(rows, up, corridor, options).joined();
+  path.segments = Linker(rows, up, corridor, options, also_below).joined();
   return withArcLength(std::move(path));
 }
 

@@ -96,6 +96,19 @@ TEST(Modifiers, LinksClimbOverWhatLiesBelowThem) {
   EXPECT_NEAR(height(withLinks(path, up, 0.06, options), 4), options.approach + options.clearance, 1e-12);
 }
 
+TEST(Modifiers, LinksClimbOverWhatIsNotDriven) {
+  // A row between the two, 50 mm high, that is left out of the path.
+  const ToolPath all = test::planeRows(3, 0.01, 0.1, 10);
+  ToolPath path = all;
+  path.segments.erase(path.segments.begin() + 1);
+  Segment left_out = all.segments[1];
+  for (auto& waypoint : left_out.waypoints) waypoint.pose.translation().z() = 0.05;
+  LinkOptions options;
+  const auto height = [](const ToolPath& linked) { return linked.segments[2].waypoints[1].pose.translation().z(); };
+  EXPECT_NEAR(height(withLinks(path, up, 0.02, options)), options.approach + options.clearance, 1e-12);
+  EXPECT_NEAR(height(withLinks(path, up, 0.02, options, {left_out})), 0.05 + options.clearance, 1e-12);
+}
+
 TEST(Modifiers, TheToolTurnsToAndFroBetweenZigZagRows) {
   const ToolPath path = complete();
   double turned = 0.0;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "scan_to_path/common/progress.h"
+#include "scan_to_path/process/row_pieces.h"
 #include "scan_to_path/scan/fitted_scan.h"
 #include "scan_to_path/toolpath/tool_path.h"
 #include "scan_to_path/toolpath/verdict.h"
@@ -30,6 +33,8 @@ struct PlannedPath {
   toolpath::ToolPath path;
   std::vector<toolpath::WaypointVerdict> findings;  ///< waypoints that are not ok (gouge), in path order
   std::vector<Figure> figures;                      ///< rows, pitch, length, scallop height, …
+  std::vector<double> allowances;                   ///< stock that each segment leaves on the surface [m]
+  std::vector<RowPiece> pieces;                     ///< where each segment comes from in the path as first planned
 };
 
 /// What turns a part into a tool path for one process.
@@ -39,6 +44,16 @@ public:
 
   /// Throws InputError when the input does not hold what the process needs, Interrupted when asked to stop.
   virtual PlannedPath plan(const PlannerInput& input, const Progress& progress) const = 0;
+
+  /// The path `whole`, which plan() made of the same input, without some contacts of its rows: rows are cut there,
+  /// stretches shorter than shortestPiece() are left out too, and what leads to, from and between the rest is made
+  /// anew, clear of all that `whole` touches. Findings and figures are those of the path that comes out, which has no
+  /// segments when nothing is left.
+  virtual PlannedPath without(const PlannedPath& whole, const std::set<toolpath::WaypointIndex>& left_out,
+                              const PlannerInput& input, const Progress& progress) const = 0;
+
+  /// The shortest stretch of a row that is worth a lead and a link of its own [m].
+  virtual double shortestPiece() const = 0;
 };
 
 }  // namespace scan_to_path::process
