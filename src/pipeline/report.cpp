@@ -76,6 +76,20 @@ Json waypointJson(const toolpath::ToolPath& path, const toolpath::WaypointVerdic
           {"remedy", verdict.remedy}};
 }
 
+Json leftOutJson(const LeftOut& left_out) {
+  const toolpath::WaypointVerdict& verdict = left_out.verdict;
+  return {{"segment", left_out.segment},
+          {"index", verdict.index},
+          {"x", number(left_out.position.x())},
+          {"y", number(left_out.position.y())},
+          {"z", number(left_out.position.z())},
+          {"verdict", enumName(verdict.verdict)},
+          {"margin", number(verdict.margin)},
+          {"unit", verdict.unit},
+          {"reason", verdict.reason},
+          {"remedy", verdict.remedy}};
+}
+
 Json versionsJson() {
   return {{"scan_to_path", version},
           {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
@@ -94,6 +108,13 @@ std::string formatReport(const Report& report, const std::vector<FieldReference>
     waypoints.push_back(waypointJson(path, verdict));
     if (verdict.verdict == toolpath::Verdict::ok) ++ok;
   }
+  Json left_out = Json::array();
+  for (const auto& waypoint : report.left_out) left_out.push_back(leftOutJson(waypoint));
+  const Json summary = {{"ok", ok},
+                        {"failed", verdicts.size() - ok},
+                        {"left_out", report.left_out.size()},
+                        {"left_out_share", number(report.left_out_share)},
+                        {"exit", report.exit}};
   const Json root = {{"schema", "scan_to_path report 1"},
                      {"process", report.process},
                      {"input",
@@ -109,7 +130,8 @@ std::string formatReport(const Report& report, const std::vector<FieldReference>
                      {"accuracy", accuracyJson(report.accuracy)},
                      {"notes", report.notes},
                      {"waypoints", waypoints},
-                     {"summary", {{"ok", ok}, {"failed", verdicts.size() - ok}, {"exit", report.exit}}}};
+                     {"left_out", left_out},
+                     {"summary", summary}};
   return root.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

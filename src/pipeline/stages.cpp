@@ -7,10 +7,11 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/pipeline/unseen_share.h"
-#include "scan_to_path/process/cutting.h"
 #include "scan_to_path/scan/cloud_io.h"
 #include "scan_to_path/verification/playback.h"
+#include "scan_to_path/verification/pulse_check.h"
 
 namespace scan_to_path::pipeline {
 namespace {
@@ -24,10 +25,6 @@ double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
     if (isLoss(entry.reason)) lost += entry.count;
   }
   return lost + used == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(lost + used);
-}
-
-std::optional<double> limitUnlessZero(double limit) {
-  return limit > 0.0 ? std::optional<double>(limit) : std::nullopt;
 }
 
 Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
@@ -64,30 +61,12 @@ std::vector<toolpath::WaypointVerdict> merged(const std::vector<toolpath::Waypoi
   return verdicts;
 }
 
-/// Rows on the fitted surface are as far off the part as the surface is, on the scan's rows and between them.
-void addSurfaceTolerances(const scan::FittedScan& scan, const ReportOptions& limits, std::vector<Accuracy>& accuracy) {
-  accuracy.push_back({"path_surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
-  accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limitUnlessZero(limits.max_between_rows)});
-}
-
-/// The path as program.dry_offset lifts it.
-toolpath::ToolPath lifted(toolpath::ToolPath path, const Cell& cell, const program::ProgramOptions& options) {
-  const Vector3 offset = options.dry_offset * (cell.T_base_workpiece.linear() * options.dry_direction.normalized());
-  for (auto& segment : path.segments) {
-    for (auto& waypoint : segment.waypoints) waypoint.pose.pretranslate(offset);
-  }
-  return path;
-}
-
-/// An air run is driven too: where it cannot be, the waypoint fails.
-void checkAirRun(const toolpath::ToolPath& path, const Cell& cell, const JobOptions& options, const Progress& progress,
-                 std::vector<toolpath::WaypointVerdict>& verdicts) {
-  const auto air = motion::planMotion(lifted(path, cell, options.program), cell.robot, cell.T_tip_tcp, options.motion, progress);
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i].verdict != toolpath::Verdict::ok || air.verdicts[i].verdict == toolpath::Verdict::ok) continue;
-    verdicts[i] = air.verdicts[i];
-    verdicts[i].reason = "in the air run " + verdicts[i].reason;
-    verdicts[i].remedy = "lower program.dry_offset";
+/// What stands in the way up there need not on the part.
+void markAirRun(std::vector<toolpath::WaypointVerdict>& verdicts) {
+  for (auto& verdict : verdicts) {
+    if (verdict.verdict == toolpath::Verdict::ok) continue;
+    verdict.reason = "in the air run " + verdict.reason;
+    verdict.remedy += ", or lower program.dry_offset";
   }
 }
 
@@ -159,24 +138,13 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   return stage;
 }
 
-PathStage pathStage(const std::string& process, const scan::FittedScan& scan, const std::string& frame,
-                    const JobOptions& options, const Progress& progress) {
-  if (process != "cutting") throw InputError("process '" + process + "' is not known; known: cutting");
-  PathStage stage;
-  stage.planned = process::makeCuttingPlanner(options.path)->plan({&scan, frame}, progress);
-  const std::size_t waypoints = toolpath::waypointCount(stage.planned.path);
-  stage.report = {"path", scan.samples_used, waypoints, {}};
-  for (const auto& figure : stage.planned.figures) stage.accuracy.push_back({"path_" + figure.name, figure.value, figure.unit});
-  if (options.path.row_source == process::RowSource::surface) addSurfaceTolerances(scan, options.report, stage.accuracy);
-  return stage;
-}
-
 MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOptions& options, const Progress& progress) {
   MotionStage stage;
   const auto& planned = path.planned;
+  const bool is_air_run = !planned.path.lift.isZero(0.0);
   stage.plan = motion::planMotion(planned.path, cell.robot, cell.T_tip_tcp, options.motion, progress);
+  if (is_air_run) markAirRun(stage.plan.verdicts);
   stage.verdicts = merged(planned.findings, stage.plan.verdicts);
-  if (options.program.dry_offset > 0.0) checkAirRun(planned.path, cell, options, progress, stage.verdicts);
   const auto failed = static_cast<std::size_t>(
       std::count_if(stage.verdicts.begin(), stage.verdicts.end(),
                     [](const auto& verdict) { return verdict.verdict != toolpath::Verdict::ok; }));
@@ -187,7 +155,8 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
   stage.accuracy = {{"playback_missing", static_cast<double>(playback.missing), "1", 0.0},
                     {"playback_position", playback.position_largest, "m", position_limit},
                     {"playback_angle", playback.angle_largest, "rad", angle_limit},
-                    {"chord_error", playback.chord_largest, "m", options.motion.chord_tolerance}};
+                    {"chord_error", is_air_run ? playback.air_chord_largest : playback.chord_largest, "m",
+                     options.motion.chord_tolerance}};
   if (!stage.plan.trajectory.points.empty()) {
     stage.accuracy.push_back({"duration", stage.plan.trajectory.points.back().time, "s"});
   }
@@ -195,7 +164,7 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
 }
 
 ProgramStage programStage(const PathStage& path, const MotionStage& motion, const Cell& cell, const JobOptions& options,
-                          const std::vector<std::string>& provenance) {
+                          const std::vector<std::string>& notices, const std::vector<std::string>& provenance) {
   program::ProgramInput input;
   input.path = path.planned.path;
   input.plan = motion.plan;
@@ -203,11 +172,25 @@ ProgramStage programStage(const PathStage& path, const MotionStage& motion, cons
   input.T_tip_tcp = cell.T_tip_tcp;
   input.T_base_workobject = cell.T_base_workpiece;
   input.options = options.program;
+  input.notices = notices;
   input.provenance = provenance;
   ProgramStage stage;
   stage.files = program::writeProgram(program::Controller::abb, input);
-  stage.discrepancies = program::readBack(program::Controller::abb, input, stage.files);
-  stage.report = {"program", toolpath::waypointCount(input.path), stage.files.size(), {}};
+  auto read = program::readBack(program::Controller::abb, input, stage.files);
+  stage.report = {"program", toolpath::waypointCount(input.path), read.waypoints, {}};
+  stage.accuracy = {{"read_back_discrepancies", static_cast<double>(read.discrepancies.size()), "1", 0.0}};
+  for (const auto& discrepancy : read.discrepancies) stage.notes.push_back("read-back: " + discrepancy.text);
+  return stage;
+}
+
+PulsesStage pulsesStage(const MotionStage& motion, const Cell& cell) {
+  PulsesStage stage;
+  stage.file = motion::formatPulses(motion.plan.trajectory, cell.encoders);
+  const auto check = verification::checkPulses(stage.file, motion.plan.trajectory, cell.encoders);
+  // Rounding takes half a count; a whole one is what the controller's own resolution is.
+  stage.accuracy = {{"pulses_mismatches", static_cast<double>(check.mismatches), "1", 0.0},
+                    {"pulses_difference", check.largest_difference, "count", 1.0}};
+  if (!check.first_mismatch.empty()) stage.notes.push_back("read-back: " + check.first_mismatch);
   return stage;
 }
 

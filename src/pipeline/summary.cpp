@@ -75,6 +75,25 @@ void addFailures(std::vector<std::string>& lines, const Report& report, const to
   }
 }
 
+/// What a partial path does without: how much, then the first waypoint of each verdict.
+void addLeftOut(std::vector<std::string>& lines, const Report& report) {
+  if (report.left_out.empty()) return;
+  add(lines, "LEFT OUT", std::to_string(report.left_out.size()) + " waypoints, " +
+                             fixed(100.0 * report.left_out_share, 2) +
+                             " % of the planned cutting length: PARTIAL, the part is not finished; see report.json");
+  std::map<toolpath::Verdict, std::pair<std::size_t, const LeftOut*>> reasons;
+  for (const auto& left_out : report.left_out) {
+    auto& [count, first] = reasons[left_out.verdict.verdict];
+    if (count++ == 0) first = &left_out;
+  }
+  for (const auto& [verdict, reason] : reasons) {
+    const LeftOut& first = *reason.second;
+    add(lines, "LEFT OUT", std::to_string(reason.first) + " " + enumName(verdict) + ", the first " + first.segment +
+                               " waypoint " + std::to_string(first.verdict.index) + ": " + first.verdict.reason + "; " +
+                               first.verdict.remedy);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> summarise(const Report& report, const toolpath::ToolPath& path,
@@ -86,7 +105,8 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
   add(lines, "clocks", figures(report, {{"clock_offset", "sensor against encoders"}, {"clock_offset_standard_error", "+-"}}));
   add(lines, "accuracy", figures(report, {{"line_residual_rms", "lines fit to RMS"},
                                           {"line_noise", "noise"},
-                                          {"surface_residual_rms", "surface to RMS"}}));
+                                          {"surface_residual_rms", "surface to RMS"},
+                                          {"between_rows_rms", "between rows RMS"}}));
   add(lines, "path", figures(report, {{"path_rows", "rows"},
                                       {"path_row_distance_median", "apart"},
                                       {"path_scallop", "scallop"},
@@ -102,6 +122,7 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
                                         {"playback_angle", ""},
                                         {"chord_error", "chord error"}}));
   for (const auto& note : report.notes) add(lines, "note", note);
+  addLeftOut(lines, report);
   addFailures(lines, report, path, verdicts);
   return lines;
 }

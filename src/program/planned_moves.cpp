@@ -54,6 +54,14 @@ void checkFrame(const Frame& T, const std::string& where) {
   }
 }
 
+/// The signal stays off in an air run's program: that goes with a path off the part, and only with one.
+void checkLift(const ProgramInput& input) {
+  const double lift = input.path.lift.norm();
+  if (std::abs(lift - input.options.dry_offset) <= 1e-9) return;  // rounding of a direction of length one
+  throw InputError("robot program", "lift of the path", fixed(1e3 * lift, 6) + " mm",
+                   fixed(1e3 * input.options.dry_offset, 6) + " mm (program.dry_offset)");
+}
+
 void checkJoints(const ProgramInput& input, const JointVector& q, const std::string& where) {
   if (q.size() != input.robot.dof()) {
     throw InputError(where, "number of joint angles", std::to_string(q.size()), std::to_string(input.robot.dof()));
@@ -75,12 +83,12 @@ double roundedDown(double radius) {
   return above == zone_steps.begin() ? 0.0 : *(above - 1);
 }
 
-/// Stops at the ends of segments, where the process is switched (a program runs ahead of the arm, so that only a
-/// stop ties a switch to a place) and before gaps; blends within the tolerance elsewhere.
+/// Stops at the ends of segments and where the process is switched (a program runs ahead of the arm, so that only a
+/// stop ties a switch to a place); blends within the tolerance elsewhere.
 void setZones(const ProgramInput& input, std::vector<PlannedMove>& moves) {
   for (std::size_t i = 1; i + 1 < moves.size(); ++i) {
     const auto& next = moves[i + 1];
-    if (next.segment != moves[i].segment || next.process_on != moves[i].process_on || next.after_gap) continue;
+    if (next.segment != moves[i].segment || next.process_on != moves[i].process_on) continue;
     const double tolerance = next.process_on ? input.options.zone_tolerance : input.options.air_tolerance;
     const double radius =
         blendRadius(moves[i - 1].T_workobject_tcp.translation(), moves[i].T_workobject_tcp.translation(),
@@ -101,57 +109,32 @@ std::vector<PlannedMove> plannedMoves(const ProgramInput& input) {
   checkFrame(input.path.T_contact_tcp, "T_contact_tcp of the path");
   checkFrame(input.T_tip_tcp, "tool mount");
   checkFrame(input.T_base_workobject, "work object");
+  checkLift(input);
   const JointTable joints(input);
   const Frame T_workobject_path = input.T_base_workobject.inverse() * input.T_base_path;
   std::vector<PlannedMove> moves;
   moves.reserve(input.plan.trajectory.points.size());
-  bool gap = false;
   for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
     const auto& waypoints = input.path.segments[s].waypoints;
     for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
       const std::string where = waypointLabel(input.path, s, i);
       checkFrame(waypoints[i].pose, where);
       const JointVector* q = joints.find(s, i);
-      if (q == nullptr) {
-        if (!input.allow_partial) throw InputError(where, "joint solution", "missing", "there");
-        gap = true;
-        continue;
-      }
+      if (q == nullptr) throw InputError(where, "joint solution", "missing", "there");
       checkJoints(input, *q, where);
       const bool first = moves.empty();
       if (!first) checkFeed(input, waypoints[i].feed, where);
-      if (first && waypoints[i].process_on && !gap) {
+      if (first && waypoints[i].process_on) {
         throw InputError(where, "process", "on", "off at the path's first waypoint, which an axis move reaches");
       }
       moves.push_back({s, i, T_workobject_path * waypoints[i].pose * input.path.T_contact_tcp, *q,
                        first ? input.options.start_speed : waypoints[i].feed,
-                       waypoints[i].process_on && !gap && !first, gap && !first, 0.0});
-      gap = false;
+                       waypoints[i].process_on, 0.0});
     }
   }
-  if (moves.empty()) throw InputError("robot program: the plan has no waypoint with joint angles");
+  if (moves.empty()) throw InputError("robot program: the path has no waypoint");
   setZones(input, moves);
   return moves;
-}
-
-geometry::Vector3 dryShift(const ProgramInput& input) {
-  const auto& options = input.options;
-  if (options.dry_offset <= 0.0) return geometry::Vector3::Zero();
-  const geometry::Vector3 shift = options.dry_offset * options.dry_direction.normalized();
-  const Eigen::Matrix3d R_workobject_path = input.T_base_workobject.linear().transpose() * input.T_base_path.linear();
-  for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
-    const auto& waypoints = input.path.segments[s].waypoints;
-    for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
-      const double lift = (R_workobject_path * waypoints[i].pose.linear().col(2)).dot(shift);
-      // Half the offset along the normal: 60 degrees between the normal and dry_direction.
-      if (waypoints[i].process_on && lift < 0.5 * options.dry_offset) {
-        throw InputError(waypointLabel(input.path, s, i), "lift of the air run along the normal",
-                         fixed(1e3 * lift, 3) + " mm",
-                         "at least half of dry_offset: turn program.dry_direction towards the outward normals");
-      }
-    }
-  }
-  return shift;
 }
 
 }  // namespace scan_to_path::program

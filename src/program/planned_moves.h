@@ -12,21 +12,16 @@ namespace scan_to_path::program {
 struct PlannedMove {
   int segment = 0;
   int index = 0;
-  Frame T_workobject_tcp = Frame::Identity();  ///< without dry_offset
+  Frame T_workobject_tcp = Frame::Identity();
   JointVector q;                               ///< [rad]
   double feed = 0.0;                           ///< [m/s]; of the first move start_speed
-  bool process_on = false;                     ///< off on the move across a gap
-  bool after_gap = false;                      ///< waypoints before it were left out
+  bool process_on = false;
   double zone = 0.0;                           ///< [m]; 0: stop
 };
 
 /// Every waypoint of the path with its joint angles and zone, in order, checked. Throws InputError naming segment and
 /// waypoint.
 std::vector<PlannedMove> plannedMoves(const ProgramInput& input);
-
-/// dry_offset as a translation in the work object's frame [m]; zero for a real run. Throws InputError when it would
-/// not lift the tool off the surface at some waypoint of the process.
-geometry::Vector3 dryShift(const ProgramInput& input);
 
 /// "segment row_3 (7) waypoint 12", for messages.
 std::string waypointLabel(const toolpath::ToolPath& path, int segment, int index);

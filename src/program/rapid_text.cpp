@@ -33,12 +33,6 @@ void appendSafetyNotice(std::string& module) {
                         "the people in it. See docs/programs.md.");
 }
 
-std::size_t failedWaypoints(const motion::MotionPlan& plan) {
-  return static_cast<std::size_t>(std::count_if(plan.verdicts.begin(), plan.verdicts.end(), [](const auto& verdict) {
-    return verdict.verdict != toolpath::Verdict::ok;
-  }));
-}
-
 }  // namespace
 
 std::string rapidNumber(double value, int digits) {
@@ -87,20 +81,14 @@ void appendComment(std::string& module, std::string_view text) {
 void appendHeader(std::string& module, const ProgramInput& input, std::size_t moves) {
   appendComment(module, "scan_to_path: " + input.path.process + " for " + input.robot.name);
   appendSafetyNotice(module);
+  for (const auto& line : input.notices) appendComment(module, line);
   for (const auto& line : input.provenance) appendComment(module, line);
   for (const auto& line : input.options.comments) appendComment(module, line);
   appendComment(module, std::to_string(moves) + " waypoints in " + std::to_string(input.path.segments.size()) +
-                            " segments, " + std::to_string(failedWaypoints(input.plan)) +
-                            " of the plan's verdicts not ok");
-  const std::size_t missing = toolpath::waypointCount(input.path) - moves;
-  if (missing > 0) {
-    appendComment(module, "PARTIAL PROGRAM: " + std::to_string(missing) +
-                              " waypoints without a joint solution are left out. The program stops at each gap: look "
-                              "at the straight way across it before you go on.");
-  }
+                            " segments");
   if (input.options.dry_offset > 0.0) {
     appendComment(module, "AIR RUN: the whole path is shifted by " + rapidNumber(1e3 * input.options.dry_offset, 3) +
-                              " mm through the work object's oframe; the process stays off.");
+                              " mm, its targets and its start; the process stays off.");
   }
   appendComment(module, "Units: mm, degrees, mm/s, kg; quaternions w, x, y, z. Targets: tool centre point " +
                             input.options.tool_name + " in " + input.options.workobject_name +

@@ -70,19 +70,18 @@ void appendTool(std::string& module, const ProgramInput& input) {
             rapidNumber(inertia.z(), 6) + "]];\n";
 }
 
-void appendWorkobject(std::string& module, const ProgramInput& input, const geometry::Vector3& shift) {
+void appendWorkobject(std::string& module, const ProgramInput& input) {
   module += "  PERS wobjdata " + input.options.workobject_name + " := [FALSE,TRUE,\"\",\n    " +
-            poseOnTwoLines(input.T_base_workobject) + ",\n    [" + rapidPosition(shift) + ",[1,0,0,0]]];\n";
+            poseOnTwoLines(input.T_base_workobject) + ",\n    [[0,0,0],[1,0,0,0]]];\n";
 }
 
 void appendData(std::string& module, const ProgramInput& input, const std::vector<PlannedMove>& moves,
-                const geometry::Vector3& shift, const SpeedTable& speeds) {
+                const SpeedTable& speeds) {
   appendTool(module, input);
-  appendWorkobject(module, input, shift);
+  appendWorkobject(module, input);
   const JointVector axes = robot::controllerAxes(input.robot, moves.front().q);
   module += "  CONST jointtarget start_axes := [\n    " + rapidAxes(axes) + ",\n    " + no_external_axes + "];\n";
-  const Frame start = Eigen::Translation3d(-shift) * moves.front().T_workobject_tcp;
-  module += "  CONST pose start_pose :=\n    " + poseOnTwoLines(start) + ";\n";
+  module += "  CONST pose start_pose :=\n    " + poseOnTwoLines(moves.front().T_workobject_tcp) + ";\n";
   speeds.appendData(module, input.options.orientation_speed);
   appendZones(module, moves, input.options.zone_orientation);
   module += std::string("  CONST bool dry_run := ") + (input.options.dry_offset > 0.0 ? "TRUE" : "FALSE") + ";\n";
@@ -181,9 +180,6 @@ private:
   void appendSwitches(std::string& module, std::size_t i) const {
     const bool was_on = i > 0 && moves_[i - 1].process_on;
     if (was_on && !moves_[i].process_on) module += "    " + input_.options.process_off + ";\n";
-    if (moves_[i].after_gap) {
-      module += "    TPWrite \"ScanToPath: waypoints are missing here.\";\n    Stop;\n";
-    }
     if (!was_on && moves_[i].process_on) module += "    " + input_.options.process_on + ";\n";
   }
 
@@ -220,7 +216,7 @@ std::string mainModule(const ProgramInput& input, const std::vector<PlannedMove>
   std::string module = "MODULE ScanToPath\n";
   appendHeader(module, input, moves.size());
   module += "\n";
-  appendData(module, input, moves, dryShift(input), speeds);
+  appendData(module, input, moves, speeds);
   appendMain(module, input, part_count);
   appendRobotCheck(module, input.options);
   appendProcessRoutine(module, input.options, true);

@@ -41,22 +41,19 @@ struct Expected {
   int index = 0;
   const toolpath::Waypoint* waypoint = nullptr;
   const JointVector* q = nullptr;
-  bool after_gap = false;
 };
 
-/// The plan's waypoints that have joint angles, in order.
+/// The path's waypoints with their joint angles (null where the plan has none), in order.
 std::vector<Expected> expectedMoves(const ProgramInput& input) {
   std::vector<Expected> expected;
   const auto& points = input.plan.trajectory.points;
   std::size_t at = 0;
-  bool gap = false;
   for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
     const auto& waypoints = input.path.segments[s].waypoints;
     for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
       const JointVector* q = nullptr;
       for (; at < points.size() && points[at].segment == s && points[at].index == i; ++at) q = &points[at].q;
-      if (q != nullptr) expected.push_back({s, i, &waypoints[i], q, gap && !expected.empty()});
-      gap = q == nullptr;
+      expected.push_back({s, i, &waypoints[i], q});
     }
   }
   return expected;
@@ -65,16 +62,16 @@ std::vector<Expected> expectedMoves(const ProgramInput& input) {
 class Comparison {
 public:
   Comparison(const ProgramInput& input, const RapidProgram& program, std::size_t limit)
-      : input_(input), program_(program), limit_(limit) {
-    const geometry::Vector3 lift = input.options.dry_direction / input.options.dry_direction.norm();
-    lift_base_ = input.T_base_workobject.linear() * (input.options.dry_offset * lift);
-  }
+      : input_(input), program_(program), limit_(limit) {}
 
   std::vector<Discrepancy> run() {
     for (const auto& point : input_.plan.trajectory.points) {
       if (input_.robot.dof() != 6 || point.q.size() != 6) return {{-1, -1, "the plan is not for six axes"}};
     }
     const auto expected = expectedMoves(input_);
+    for (const auto& at : expected) {
+      if (at.q == nullptr) return {{at.segment, at.index, "the plan has no joint angles for it"}};
+    }
     const auto& moves = program_.moves;
     if (moves.size() != expected.size() + 1) {
       report(nullptr, "program has " + std::to_string(moves.size()) + " moves, the plan needs " +
@@ -104,9 +101,7 @@ private:
   }
 
   Frame plannedTarget(const Expected& at) const {
-    Frame T = input_.T_base_path * at.waypoint->pose * input_.path.T_contact_tcp;
-    if (input_.options.dry_offset > 0.0) T.translation() += lift_base_;
-    return T;
+    return input_.T_base_path * at.waypoint->pose * input_.path.T_contact_tcp;
   }
 
   void checkTarget(const RapidMove& move, const Expected& at) {
@@ -135,15 +130,12 @@ private:
   }
 
   void checkProcess(const RapidMove& move, const Expected& at) {
-    const bool planned = at.waypoint->process_on && !at.after_gap;
+    const bool planned = at.waypoint->process_on;
     if (move.process_on != planned) {
       report(&at, std::string("process is ") + (move.process_on ? "on" : "off") + ", planned " +
                       (planned ? "on" : "off"), &move);
     }
-    if (move.after_stop != at.after_gap) {
-      report(&at, at.after_gap ? "waypoints are missing before it without a stop" : "an unplanned stop is before it",
-             &move);
-    }
+    if (move.after_stop) report(&at, "an unplanned stop is before it", &move);
   }
 
   /// The tool must not move on before what process_signal starts runs.
@@ -234,8 +226,7 @@ private:
   void checkStartPose(const RapidMove& move, const Expected& at, const JointVector& q) {
     if (program_.moves.size() < 2) return;
     const Frame reached = robot::forwardKinematics(input_.robot, q) * program_.tools[move.tool].T_tip_tcp;
-    Frame target = program_.moves[1].T_base_tcp;
-    if (input_.options.dry_offset > 0.0) target.translation() -= lift_base_;
+    const Frame& target = program_.moves[1].T_base_tcp;
     const double distance = (reached.translation() - target.translation()).norm();
     const double angle = rotationDistance(reached, target);
     if (!(distance <= start_position_limit && angle <= start_angle_limit)) {
@@ -262,23 +253,25 @@ private:
   const ProgramInput& input_;
   const RapidProgram& program_;
   std::size_t limit_;
-  geometry::Vector3 lift_base_ = geometry::Vector3::Zero();
   std::vector<Discrepancy> found_;
 };
 
 }  // namespace
 
-std::vector<Discrepancy> readBack(Controller controller, const ProgramInput& input,
-                                  const std::vector<ProgramFile>& files, std::size_t limit) {
+ReadBack readBack(Controller controller, const ProgramInput& input, const std::vector<ProgramFile>& files,
+                  std::size_t limit) {
   if (controller != Controller::abb) throw InputError("no program reader for this controller");
   RapidReadOptions options;
   options.process_on = input.options.process_on;
   options.process_off = input.options.process_off;
   options.process_signal = input.options.process_signal;
   try {
-    return Comparison(input, readRapid(files, options), limit).run();
+    const RapidProgram program = readRapid(files, options);
+    const auto linear = std::count_if(program.moves.begin(), program.moves.end(),
+                                      [](const auto& move) { return move.type == RapidMoveType::linear; });
+    return {static_cast<std::size_t>(linear), Comparison(input, program, limit).run()};
   } catch (const InputError& error) {
-    return {{-1, -1, error.what()}};
+    return {0, {{-1, -1, error.what()}}};
   }
 }
 

@@ -21,6 +21,7 @@ struct PlanFlags {
   std::string stop_after = "program";
   std::vector<std::string> controllers;
   std::string reference;
+  bool allow_partial = false;
   std::uint64_t seed = 1;
   std::string out;
 };
@@ -32,6 +33,8 @@ void addFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--units", flags.units, "of a cloud: m (default), mm or inch");
   command.add_option("--stop-after", flags.stop_after, "scan, fit, path, motion or program")->capture_default_str();
   command.add_option("--controller", flags.controllers, "abb or pulses (repeatable; default both)")->allow_extra_args(false);
+  command.add_flag("--allow-partial", flags.allow_partial,
+                   "leave out waypoints that fail and write a program of the rest; exit status stays 1");
   command.add_option("--reference", flags.reference,
                      "true surface to measure the finished path against: a mesh in metres in the workpiece frame, or s_part")
       ->type_name("FILE");
@@ -54,6 +57,7 @@ pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOpti
   if (!flags.input_kind.empty()) request.input_kind = parseEnum<pipeline::InputKind>("--input-kind", flags.input_kind);
   if (!flags.units.empty()) request.units = parseEnum<pipeline::Units>("--units", flags.units);
   request.stop_after = parseEnum<pipeline::Stage>("--stop-after", flags.stop_after);
+  request.allow_partial = flags.allow_partial;
   request.threads = flags.common.threads;
   request.seed = flags.seed;
   request.out = flags.out.empty() ? "out/" + flags.process : flags.out;
@@ -90,7 +94,7 @@ std::function<int()> addPlanCommand(CLI::App& app) {
   addFlags(*command, *flags);
   command->footer(
       "Exit status: 0 every waypoint planned and verified; 1 planned, but a waypoint or a tolerance fails (then no\n"
-      "program is written); 2 bad input or configuration; 3 a bug; 130 interrupted.\n\n"
+      "program is written, unless only waypoints fail and --allow-partial leaves them out); 2 bad input or configuration; 3 a bug; 130 interrupted.\n\n"
       "Example: scan_to_path plan --process cutting --input samples.csv --set path.scallop_height=5e-5");
   return [flags] { return plan(*flags); };
 }

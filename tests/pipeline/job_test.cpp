@@ -150,19 +150,73 @@ TEST_F(JobTest, FailingWaypointsLeaveNothingThatARobotCouldRun) {
   EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("limit")));
 }
 
-TEST_F(JobTest, AnAirRunGivesNoUnliftedMotionAndMustBeReachable) {
+TEST_F(JobTest, AnAirRunsFilesAreAllLiftedAndMustBeReachable) {
   JobOptions options;
   options.program.dry_offset = 0.05;
   const auto job = request("air");
-  EXPECT_EQ(runJob(job, options, {}).exit, 0);
-  EXPECT_TRUE(files(job).count("program.mod"));
-  EXPECT_FALSE(files(job).count("pulses.csv"));
-  EXPECT_FALSE(files(job).count("trajectory.csv"));
+  const auto real = request("real");
+  const JobResult lifted = runJob(job, options, {});
+  runJob(real, {}, {});
+  EXPECT_EQ(lifted.exit, 0) << ::testing::PrintToString(lifted.summary);
+  EXPECT_THAT(lifted.summary, ::testing::Contains(HasSubstr("lifted by 50.0 mm")));
+  EXPECT_EQ(files(job), files(real));
+  const auto air = toolpath::parseToolPath(file(job, "path.csv"), "path.csv");
+  const auto part = toolpath::parseToolPath(file(real, "path.csv"), "path.csv");
+  ASSERT_EQ(toolpath::waypointCount(air), toolpath::waypointCount(part));
+  EXPECT_NEAR(air.lift.norm(), 0.05, 1e-9);
+  for (std::size_t s = 0; s < air.segments.size(); ++s) {
+    const auto& a = air.segments[s].waypoints.back();
+    const auto& b = part.segments[s].waypoints.back();
+    EXPECT_LT((a.pose.translation() - b.pose.translation() - air.lift).norm(), 4e-9);  // written to 1e-9
+    EXPECT_FALSE(a.process_on);
+  }
   options.program.dry_offset = 2.0;
   const JobResult result = runJob(job, options, {});
   EXPECT_EQ(result.exit, 1);
   EXPECT_FALSE(files(job).count("program.mod"));
   EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("in the air run")));
+}
+
+TEST_F(JobTest, APartialProgramOnlyWhenAskedForAndNeverAgainstATolerance) {
+  const Groove groove;
+  auto job = request("groove");
+  job.input = *directory_ / "groove.csv";
+  std::ofstream(job.input) << scan::formatSampleLog(smallScan(groove));
+  JobOptions options;
+  options.path.ball_radius = 0.0135;
+  EXPECT_EQ(runJob(job, options, {}).exit, 1);
+  EXPECT_FALSE(files(job).count("program.mod"));
+  job.allow_partial = true;
+  const JobResult result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 1);
+  ASSERT_TRUE(files(job).count("program.mod")) << ::testing::PrintToString(result.summary);
+  EXPECT_TRUE(files(job).count("pulses.csv"));
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("of the planned cutting length: PARTIAL")));
+  EXPECT_THAT(file(job, "program.mod"), HasSubstr("PARTIAL PROGRAM: "));
+  EXPECT_THAT(file(job, "program.mod"), HasSubstr("- left out: row_0 waypoints "));
+  const auto report = nlohmann::json::parse(file(job, "report.json"));
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_EQ(report["summary"]["left_out"], report["left_out"].size());
+  EXPECT_EQ(report["waypoints"].size(),
+            toolpath::waypointCount(toolpath::parseToolPath(file(job, "path.csv"), "path.csv")));
+  const double share = report["summary"]["left_out_share"];
+  EXPECT_GT(share, 0.1);
+  EXPECT_LT(share, 0.9);
+  options.report.max_line_residual = 1e-9;
+  EXPECT_EQ(runJob(job, options, {}).exit, 1);
+  EXPECT_EQ(files(job), (std::set<std::string>{"path.csv", "report.json", "timing.json"}));
+}
+
+TEST_F(JobTest, NothingLeftIsNoPartialProgram) {
+  JobOptions options;
+  options.path.feed = 0.9;
+  options.motion.speed_fraction = 0.01;
+  auto job = request("nothing");
+  job.allow_partial = true;
+  const JobResult result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("nothing is left of the path")));
+  EXPECT_EQ(files(job), (std::set<std::string>{"path.csv", "report.json", "timing.json"}));
 }
 
 TEST_F(JobTest, ADirectoryThatHoldsSomethingElseIsNotReplaced) {

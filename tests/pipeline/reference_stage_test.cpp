@@ -27,7 +27,7 @@ protected:
                                                           cell.T_base_workpiece);
   }
   toolpath::ToolPath planned(const JobOptions& options) const {
-    return pathStage("cutting", scan_, "base_link", options, {}).planned.path;
+    return pathStage(*makePlanner("cutting", options), scan_, "base_link", options, {}).planned.path;
   }
 
   scan::FittedScan scan_;

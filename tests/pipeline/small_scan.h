@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -29,6 +30,24 @@ inline scan::SampleLog smallScan(const geometry::Surface& scene = smallPart()) {
                               cell.T_tip_sensor, options)
       .log;
 }
+
+/// A groove across the small part whose bottom, of a radius of 12 mm, larger balls do not reach.
+class Groove : public geometry::HeightField {
+public:
+  Groove() : HeightField({-0.03, 0.03, -0.03, 0.03}, {-depth, 0.0, 2.0 * depth / (width * width)}) {}
+  geometry::HeightJet jet(double x, double) const override {
+    const double e = -depth * std::exp(-x * x / (width * width));
+    geometry::HeightJet jet;
+    jet.z = e;
+    jet.zx = -2.0 * x / (width * width) * e;
+    jet.zxx = (4.0 * x * x / std::pow(width, 4) - 2.0 / (width * width)) * e;
+    return jet;
+  }
+
+private:
+  static constexpr double depth = 0.003;
+  static constexpr double width = 0.0085;
+};
 
 /// A directory of this test's own, empty.
 inline std::filesystem::path freshDirectory(const std::string& name) {

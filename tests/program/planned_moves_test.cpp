@@ -61,20 +61,14 @@ TEST(PlannedMoves, FirstMoveHasTheStartSpeed) {
   EXPECT_EQ(plannedMoves(input)[1].feed, 0.02);
 }
 
-TEST(PlannedMoves, DryShiftIsInTheWorkobjectAndLifts) {
-  auto input = corner(true);
-  EXPECT_EQ(dryShift(input), Vector3::Zero());
+TEST(PlannedMoves, AnAirRunsPathIsLiftedByItsOffset) {
+  auto input = corner(false);
   input.options.dry_offset = 0.03;
-  input.options.dry_direction = Vector3(0, 0, 7);
-  EXPECT_LT((dryShift(input) - Vector3(0, 0, 0.03)).norm(), 1e-15);
-  // 59 degrees between direction and normal leave more than half of the offset, 61 degrees less.
-  const auto turnedBy = [&](double degrees) {
-    input.T_base_workobject.linear() =
-        Eigen::AngleAxisd(test::degree * degrees, Vector3::UnitX()).toRotationMatrix();
-    return dryShift(input);
-  };
-  EXPECT_NO_THROW(turnedBy(59.0));
-  test::expectInputError([&] { turnedBy(61.0); }, "segment row_0 (0) waypoint 1: lift of the air run");
+  test::expectInputError([&] { plannedMoves(input); }, "lift of the path is 0.000000 mm");
+  input.path.lift = Vector3(0.0, 0.018, 0.024);
+  EXPECT_NO_THROW(plannedMoves(input));
+  input.options.dry_offset = 0.0;
+  test::expectInputError([&] { plannedMoves(input); }, "lift of the path is 30.000000 mm");
 }
 
 }  // namespace

@@ -98,29 +98,19 @@ TEST(RapidWriter, StopsAtSegmentEndsAndProcessSwitches) {
   EXPECT_GT(blends, 60);
 }
 
-TEST(RapidWriter, DryOffsetLiftsTheWholePathAndKeepsTheStart) {
+TEST(RapidWriter, AnAirRunsProgramIsOnTheLiftedPath) {
   auto input = seededInput(6);
-  // Towards the mean contact normal, in the work object.
-  geometry::Vector3 normal = geometry::Vector3::Zero();
-  for (const auto& waypoint : input.path.segments[1].waypoints) normal += waypoint.pose.linear().col(2);
-  input.options.dry_direction =
-      input.T_base_workobject.linear().transpose() * input.T_base_path.linear() * normal.normalized();
-  const auto wet = readRapid(writeRapid(input));
-  input.options.dry_offset = 0.05;
-  const auto dry = readRapid(writeRapid(input));
-  ASSERT_EQ(wet.moves.size(), dry.moves.size());
-  EXPECT_EQ(wet.moves[0].axes, dry.moves[0].axes);
-  const geometry::Vector3 lift = 0.05 * (input.T_base_path.linear() * normal.normalized());
-  for (std::size_t i = 1; i < wet.moves.size(); ++i) {
-    const geometry::Vector3 moved = dry.moves[i].T_base_tcp.translation() - wet.moves[i].T_base_tcp.translation();
-    EXPECT_LT((moved - lift).norm(), 2e-7) << i;
-    EXPECT_EQ(wet.moves[i].T_base_tcp.linear(), dry.moves[i].T_base_tcp.linear());
+  for (auto& segment : input.path.segments) {
+    for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
   }
-  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).empty());
-  EXPECT_THAT(mainModule(input), HasSubstr("AIR RUN"));
+  input.options.dry_offset = 0.05;
+  input.path.lift = 0.05 * geometry::Vector3::UnitZ();
+  const auto program = readRapid(writeRapid(input));
+  EXPECT_TRUE(std::none_of(program.moves.begin(), program.moves.end(), [](const auto& move) { return move.process_on; }));
+  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).discrepancies.empty());
+  EXPECT_THAT(mainModule(input), HasSubstr("AIR RUN: the whole path is shifted by 50.000 mm"));
   EXPECT_THAT(mainModule(input), HasSubstr("dry_run := TRUE"));
-  input.options.dry_direction = -input.options.dry_direction;
-  test::expectInputError([&] { writeRapid(input); }, "lift of the air run along the normal is -");
+  EXPECT_THAT(mainModule(seededInput(6)), HasSubstr("dry_run := FALSE"));
 }
 
 TEST(RapidWriter, ProcessRoutinesSetTheSignalButNotInAnAirRun) {
@@ -155,9 +145,10 @@ TEST(RapidWriter, HeaderHasNoticeProvenanceAndComments) {
   auto input = plainInput();
   input.provenance = {"input: B\xc3\xbcgel\nENDMODULE.csv"};
   input.options.comments = {"for fixture 3"};
+  input.notices = {"PARTIAL PROGRAM"};
   const auto text = mainModule(input);
   for (const char* part : {"SAFETY", "NOT checked", "dry_offset", "reduced", "responsible", "! input: B??gel?ENDMODULE.csv",
-                           "! for fixture 3", "Units: mm"}) {
+                           "! for fixture 3", "! PARTIAL PROGRAM", "Units: mm"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
   EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
@@ -194,23 +185,19 @@ TEST(RapidWriter, HugePathsAreSplit) {
       EXPECT_LE(++in_module, 1000);
     }
   }
-  EXPECT_TRUE(readBack(Controller::abb, input, files).empty());
+  EXPECT_TRUE(readBack(Controller::abb, input, files).discrepancies.empty());
 }
 
-TEST(RapidWriter, PartialProgramsStopAtGaps) {
+TEST(RapidWriter, EveryWaypointNeedsJointAngles) {
   auto input = seededInput(10, 1, 12);
   auto& points = input.plan.trajectory.points;
+  const auto files = writeRapid(input);
   points.erase(points.begin() + 8, points.begin() + 10);
   test::expectInputError([&] { writeRapid(input); }, "segment row_0 (1) waypoint 5: joint solution is missing");
-  input.allow_partial = true;
-  const auto program = readRapid(writeRapid(input));
-  EXPECT_EQ(program.moves.size(), 1 + 18u - 2u);
-  EXPECT_TRUE(program.moves[9].after_stop);
-  EXPECT_FALSE(program.moves[9].process_on);
-  EXPECT_TRUE(program.moves[8].stop);
-  EXPECT_TRUE(program.moves[10].process_on);
-  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).empty());
-  EXPECT_THAT(mainModule(input), HasSubstr("PARTIAL PROGRAM: 2 waypoints"));
+  const auto found = readBack(Controller::abb, input, files).discrepancies;
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].segment, 1);
+  EXPECT_EQ(found[0].index, 5);
 }
 
 TEST(RapidWriter, IntermediateTrajectoryPointsAreNotWaypoints) {
@@ -220,7 +207,7 @@ TEST(RapidWriter, IntermediateTrajectoryPointsAreNotWaypoints) {
   between.q[0] += 0.1;
   points.insert(points.begin() + 1, between);
   EXPECT_EQ(mainModule(input), mainModule(plainInput()));
-  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).empty());
+  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).discrepancies.empty());
 }
 
 TEST(RapidWriter, RefusesWhatIsNoProgram) {
@@ -243,7 +230,7 @@ TEST(RapidWriter, RefusesWhatIsNoProgram) {
       {"work object: pose is not finite", [nan](auto& i) { i.T_base_workobject.linear()(0, 0) = nan; }},
       {"program.tool_mass", [](auto& i) { i.options.tool_mass = -1.0; }},
       {"must be 6", [](auto& i) { i.robot.joints.pop_back(); }},
-      {"no waypoint", [](auto& i) { i.path.segments.clear(), i.plan.trajectory.points.clear(); }},
+      {"has no waypoint", [](auto& i) { i.path.segments.clear(), i.plan.trajectory.points.clear(); }},
   };
   for (const auto& [message, spoil] : cases) {
     auto input = plainInput();
@@ -257,7 +244,7 @@ TEST(RapidWriter, SegmentNamesCannotBreakOut) {
   input.path.segments[0].name = "x()\nENDPROC\nMoveL ; \xff a very long name that goes on and on and on";
   const auto text = mainModule(input);
   EXPECT_THAT(text, HasSubstr("PROC s0_xENDPROCMoveLaverylongnamet_1()"));
-  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).empty());
+  EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).discrepancies.empty());
 }
 
 }  // namespace

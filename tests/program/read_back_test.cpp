@@ -24,17 +24,18 @@ std::string texts(const std::vector<Discrepancy>& found) {
 }
 
 std::string textsOf(const ProgramInput& input, const std::vector<ProgramFile>& files) {
-  return texts(readBack(Controller::abb, input, files));
+  return texts(readBack(Controller::abb, input, files).discrepancies);
 }
 
 TEST(ReadBack, SeededProgramsSayWhatWasPlanned) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto input = seededInput(seed);
     EXPECT_EQ(textsOf(input, written(input)), "") << "seed " << seed;
+    EXPECT_EQ(readBack(Controller::abb, input, written(input)).waypoints, toolpath::waypointCount(input.path));
   }
 }
 
-TEST(ReadBack, AirRunsSplitProgramsAndSignalsToo) {
+TEST(ReadBack, SplitProgramsAndSignalsToo) {
   auto input = seededInput(4, 6, 70);
   input.options.moves_per_routine = 16;
   input.options.moves_per_module = 50;
@@ -105,7 +106,7 @@ TEST(ReadBack, MutationTwinsAreFound) {
 TEST(ReadBack, NamesSegmentAndWaypoint) {
   const auto input = seededInput(2, 2, 12);
   const auto found = readBack(Controller::abb, input,
-                              changed(written(input), "MoveL \\[\\[-?", "MoveL [[9", "PROC s1_row_0_1"));
+                              changed(written(input), "MoveL \\[\\[-?", "MoveL [[9", "PROC s1_row_0_1")).discrepancies;
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].segment, 1);
   EXPECT_EQ(found[0].index, 0);
@@ -126,8 +127,13 @@ TEST(ReadBack, NoticesAnotherPlan) {
   other.path.segments[1].waypoints[5].pose.rotate(Eigen::AngleAxisd(2.1e-5, geometry::Vector3::UnitZ()));
   expectFound("0.0012 degrees", other, "limit 0.001 deg");
   other = input;
-  other.options.dry_offset = 0.05;
-  expectFound("dry_offset", other, "um off the plan");
+  for (auto& segment : other.path.segments) {
+    for (auto& waypoint : segment.waypoints) waypoint.pose.translation().z() += 0.05;
+  }
+  expectFound("a path lifted by 50 mm", other, "um off the plan");
+  other = input;
+  other.path.segments[1].waypoints[5].process_on = false;
+  expectFound("process", other, "process is on, planned off");
   other = input;
   other.plan.trajectory.points[0].q[2] += 1e-6;
   expectFound("start angle", other, "start angle of joint 3");
@@ -187,7 +193,7 @@ TEST(ReadBack, ListsAtMostTheLimit) {
   auto input = seededInput(3);
   const auto files = written(input);
   input.T_base_path.translation().x() += 0.1;
-  EXPECT_EQ(readBack(Controller::abb, input, files, 7).size(), 7u);
+  EXPECT_EQ(readBack(Controller::abb, input, files, 7).discrepancies.size(), 7u);
 }
 
 /// Every decimal number of the text as a 32-bit float has it, which is what a controller computes with.

@@ -34,6 +34,9 @@ struct JobRequest {
   int threads = 1;                      ///< 0: all
   std::uint64_t seed = 1;               ///< written to the report; cutting draws no random numbers
   std::filesystem::path out;
+  /// Leave out waypoints that fail and write a program of the rest (partialStage); the exit status stays 1. Tolerances
+  /// and read-backs that fail are never overridden.
+  bool allow_partial = false;
   std::vector<Output> outputs = {Output::abb, Output::pulses};
   std::vector<std::filesystem::path> package_path;
   /// The true surface in base_link, for verification after planning only; null: none known.
@@ -41,7 +44,7 @@ struct JobRequest {
 };
 
 struct JobResult {
-  int exit = 0;                      ///< 0, or 1 when a waypoint, a tolerance or the read-back fails
+  int exit = 0;                      ///< 0, or 1 when a waypoint, a tolerance or a read-back fails
   std::vector<std::string> summary;  ///< what a user wants to know, a line each
 };
 

@@ -14,6 +14,8 @@
 
 namespace scan_to_path::pipeline {
 
+using geometry::Vector3;
+
 /// What a stage took, gave and left out.
 struct StageReport {
   std::string name;
@@ -32,6 +34,19 @@ struct Accuracy {
   bool pass() const { return !limit || value <= *limit; }
 };
 
+/// The limit that an option sets; 0 stands for none.
+inline std::optional<double> limitUnlessZero(double limit) {
+  return limit > 0.0 ? std::optional<double>(limit) : std::nullopt;
+}
+
+/// A waypoint of the planned path that is not driven, and why. Its verdict's segment and index are those of the path
+/// as planned, which is not the one that is written.
+struct LeftOut {
+  std::string segment;  ///< name
+  Vector3 position = Vector3::Zero();  ///< of the contact, in the path's frame [m]
+  toolpath::WaypointVerdict verdict;
+};
+
 /// Everything report.json holds (docs/report.schema.json). Nothing in it depends on time, host or thread count.
 struct Report {
   std::string process;
@@ -43,6 +58,8 @@ struct Report {
   std::uint64_t seed = 0;
   std::vector<StageReport> stages;
   std::vector<Accuracy> accuracy;
+  std::vector<LeftOut> left_out;   ///< of a partial path, in the planned path's order; empty: all is driven
+  double left_out_share = 0.0;     ///< of the planned cutting length
   std::vector<std::string> notes;  ///< what the user should know and no figure says
   int exit = 0;
 };

@@ -10,8 +10,8 @@
 #include "scan_to_path/pipeline/cell.h"
 #include "scan_to_path/pipeline/input.h"
 #include "scan_to_path/pipeline/job_options.h"
+#include "scan_to_path/pipeline/path_stage.h"
 #include "scan_to_path/pipeline/report.h"
-#include "scan_to_path/process/planner.h"
 #include "scan_to_path/program/program.h"
 #include "scan_to_path/scan/scan_cloud.h"
 #include "scan_to_path/sensing/clock_offset.h"
@@ -47,16 +47,6 @@ struct FitStage {
 FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, const scan::FitOptions& fit_options,
                   const ReportOptions& limits, int threads, const Progress& progress);
 
-struct PathStage {
-  process::PlannedPath planned;
-  StageReport report;
-  std::vector<Accuracy> accuracy;
-};
-
-/// Plans with the planner of `process`. Throws InputError for a process that is not there, naming those that are.
-PathStage pathStage(const std::string& process, const scan::FittedScan& scan, const std::string& frame,
-                    const JobOptions& options, const Progress& progress);
-
 struct MotionStage {
   motion::MotionPlan plan;
   std::vector<toolpath::WaypointVerdict> verdicts;  ///< the path's findings and the motion's verdicts, one a waypoint
@@ -64,16 +54,28 @@ struct MotionStage {
   std::vector<Accuracy> accuracy;
 };
 
-/// Plans the motion and plays it back through kinematics that share no code with the solver.
+/// Plans the motion along the path that is driven and plays it back through kinematics that share no code with the
+/// solver.
 MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOptions& options, const Progress& progress);
 
 struct ProgramStage {
   std::vector<program::ProgramFile> files;
-  std::vector<program::Discrepancy> discrepancies;  ///< between the program read back and the plan
-  StageReport report;
+  StageReport report;              ///< waypoints of the path, and of the program read back
+  std::vector<Accuracy> accuracy;  ///< of the program read back against the plan
+  std::vector<std::string> notes;  ///< its discrepancies
 };
 
+/// `notices` and `provenance` are lines for the program's header.
 ProgramStage programStage(const PathStage& path, const MotionStage& motion, const Cell& cell, const JobOptions& options,
-                          const std::vector<std::string>& provenance);
+                          const std::vector<std::string>& notices, const std::vector<std::string>& provenance);
+
+/// pulses.csv and what reading it back found.
+struct PulsesStage {
+  std::string file;
+  std::vector<Accuracy> accuracy;
+  std::vector<std::string> notes;
+};
+
+PulsesStage pulsesStage(const MotionStage& motion, const Cell& cell);
 
 }  // namespace scan_to_path::pipeline

@@ -35,12 +35,12 @@ struct ProgramInput {
   Frame T_base_workobject = Frame::Identity();  ///< the frame in which the program's targets are written
   ProgramOptions options;
   std::vector<std::string> provenance;  ///< lines for the header: input, its SHA-256, versions; no date, no path
-  bool allow_partial = false;           ///< waypoints without joint angles are left out, with a stop in their place
+  std::vector<std::string> notices;     ///< lines for the header, before those: what whoever runs it must know
 };
 
 /// Writes the program for one controller. Throws InputError when the input cannot be a program: numbers that are not
-/// finite, a waypoint without joint angles (unless allow_partial), a feed of 0 or above max_speed, names the
-/// controller would refuse, an air run that would touch the part.
+/// finite, a waypoint without joint angles, a feed of 0 or above max_speed, names the controller would refuse, a path
+/// that is not lifted by dry_offset.
 std::vector<ProgramFile> writeProgram(Controller controller, const ProgramInput& input);
 
 /// Something that the written program does and the plan does not, or the other way round.
@@ -50,12 +50,18 @@ struct Discrepancy {
   std::string text;  ///< quantity, value found, value planned, limit
 };
 
+/// What reading a program back found.
+struct ReadBack {
+  std::size_t waypoints = 0;  ///< that the program drives to, the axis move to the start apart
+  std::vector<Discrepancy> discrepancies;
+};
+
 /// Reads the files back with a reader that shares no code with the writer and compares every move with the plan:
 /// order, positions to 1 um, angles to 0.001 degree, feeds, process on and off, zones, axis configuration, first
-/// joint target (also through forward kinematics), tool, load, ranges of the controller's axes. Empty: the program says what was planned.
-/// At most `limit` discrepancies are listed.
-std::vector<Discrepancy> readBack(Controller controller, const ProgramInput& input,
-                                  const std::vector<ProgramFile>& files, std::size_t limit = 20);
+/// joint target (also through forward kinematics), tool, load, ranges of the controller's axes. No discrepancy: the program says what was
+/// planned. At most `limit` of them are listed.
+ReadBack readBack(Controller controller, const ProgramInput& input, const std::vector<ProgramFile>& files,
+                  std::size_t limit = 20);
 
 }  // namespace scan_to_path::program
 

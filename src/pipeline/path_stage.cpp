@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/path_stage.h"
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/process/cutting.h"
+#include "scan_to_path/toolpath/air_run.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+/// Rows on the fitted surface are as far off the part as the surface is, on the scan's rows and between them.
+void addSurfaceTolerances(const scan::FittedScan& scan, const ReportOptions& limits, std::vector<Accuracy>& accuracy) {
+  accuracy.push_back(
+      {"path_surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
+  accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limitUnlessZero(limits.max_between_rows)});
+}
+
+PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, const JobOptions& options) {
+  PathStage stage;
+  stage.planned = std::move(planned);
+  stage.report = {"path", scan.samples_used, toolpath::waypointCount(stage.planned.path), {}};
+  for (const auto& figure : stage.planned.figures) {
+    stage.accuracy.push_back({"path_" + figure.name, figure.value, figure.unit});
+  }
+  if (options.path.row_source == process::RowSource::surface)
+    addSurfaceTolerances(scan, options.report, stage.accuracy);
+  return stage;
+}
+
+}  // namespace
+
+std::unique_ptr<process::Planner> makePlanner(const std::string& process, const JobOptions& options) {
+  if (process != "cutting") throw InputError("process '" + process + "' is not known; known: cutting");
+  return process::makeCuttingPlanner(options.path);
+}
+
+PathStage pathStage(const process::Planner& planner, const scan::FittedScan& scan, const std::string& frame,
+                    const JobOptions& options, const Progress& progress) {
+  return described(planner.plan({&scan, frame}, progress), scan, options);
+}
+
+PathStage pathWithout(const process::Planner& planner, const PathStage& whole,
+                      const std::set<toolpath::WaypointIndex>& left_out, const scan::FittedScan& scan,
+                      const std::string& frame, const JobOptions& options, const Progress& progress) {
+  return described(planner.without(whole.planned, left_out, {&scan, frame}, progress), scan, options);
+}
+
+PathStage airRun(PathStage path, const Cell& cell, const program::ProgramOptions& options) {
+  if (options.dry_offset <= 0.0) return path;
+  const Vector3 direction = cell.T_base_workpiece.linear() * options.dry_direction.normalized();
+  path.planned.path = toolpath::lifted(std::move(path.planned.path), options.dry_offset * direction);
+  return path;
+}
+
+}  // namespace scan_to_path::pipeline

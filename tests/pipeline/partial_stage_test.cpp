@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path/pipeline/partial_stage.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scan_to_path/toolpath/ball_tool.h"
+#include "scan_to_path/toolpath/contact_frame.h"
+#include "small_scan.h"
+#include "support/fitted_scans.h"
+
+namespace scan_to_path::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+using toolpath::ToolPath;
+using toolpath::Verdict;
+
+const geometry::Rectangle area = {0.0, 0.13, 0.0, 0.05};
+constexpr double hump = 0.09;
+
+/// The analytic world along x: a groove whose bottom has a radius of 6 mm, out of reach of a ball of 20 mm, and a hump
+/// 5 mm high with feet of 32 mm.
+double height(double x) {
+  return -0.012 * std::exp(-std::pow((x - 0.035) / 0.012, 2)) + 0.005 * std::exp(-std::pow((x - hump) / 0.012, 2));
+}
+
+const Frame T_base_part = geometry::makeFrame(Vector3(0.85, -0.03, 0.45), Vector3::Zero());
+
+/// How deep a ball about `centre` (in the part's frame) enters the world [m], by the nearest of its points on a grid of
+/// 0.25 mm; the world does not change along y, but ends at the area's borders. The grid misses the nearest point by at
+/// most 0.125 mm along x, and the depth by 0.125^2 / 2 (1 / 20 + 1 / 6) mm = 1.7 um, so it is never overstated.
+double depthOf(const Vector3& centre, double radius) {
+  const double beside = std::max({area.y_min - centre.y(), centre.y() - area.y_max, 0.0});
+  double nearest = std::numeric_limits<double>::infinity();
+  for (double x = area.x_min; x <= area.x_max + 1e-9; x += 0.25e-3) {
+    nearest = std::min(nearest, std::hypot(x - centre.x(), std::hypot(beside, height(x) - centre.z())));
+  }
+  return radius - nearest;
+}
+
+/// The deepest that the straight moves of a path go into the world, looked at every millimetre.
+double deepest(const ToolPath& path, double radius) {
+  double depth = -1.0;
+  const Frame* before = nullptr;
+  for (const auto& segment : path.segments) {
+    for (const auto& waypoint : segment.waypoints) {
+      const Frame T = T_base_part.inverse() * waypoint.pose;
+      const Vector3 b = T.translation() + radius * T.linear().col(2);
+      Vector3 a = b;
+      if (before != nullptr) {
+        const Frame T_before = T_base_part.inverse() * *before;
+        a = T_before.translation() + radius * T_before.linear().col(2);
+      }
+      const int steps = std::max(1, static_cast<int>((b - a).norm() / 1e-3));
+      for (int i = 1; i <= steps; ++i) depth = std::max(depth, depthOf(a + (b - a) * i / steps, radius));
+      before = &waypoint.pose;
+    }
+  }
+  return depth;
+}
+
+/// The part before an arm whose first axis turns only so far to the left: the rows there are out of its reach.
+class PartialTest : public ::testing::Test {
+protected:
+  PartialTest()
+      : scan_(test::fittedScan([](double x, double) { return height(x); }, area, 0.004, 200, 8, T_base_part)),
+        cell_(makeCell(CellOptions(), source_package)) {
+    // Axis 1 points at (x, y): y = 0.016 at x = 0.95 and 0.0145 at x = 0.85.
+    cell_.robot.joints[0].upper = std::atan2(0.0155, 0.9);
+    planner_ = makePlanner("cutting", options_);
+    whole_ = pathStage(*planner_, scan_, "base_link", options_, {});
+    blockHump();
+  }
+
+  /// Something stands in the way over the hump of the third row.
+  void blockHump() {
+    auto& planned = whole_.planned;
+    const auto row = std::find_if(planned.path.segments.begin(), planned.path.segments.end(),
+                                  [](const auto& segment) { return segment.name == "row_2"; });
+    blocked_ = static_cast<int>(row - planned.path.segments.begin());
+    for (std::size_t i = 0; i < row->waypoints.size(); ++i) {
+      const double x = (T_base_part.inverse() * row->waypoints[i].pose).translation().x();
+      if (!toolpath::isContact(*row, i) || std::abs(x - hump) > 0.012) continue;
+      planned.findings.push_back({blocked_, static_cast<int>(i), Verdict::collision, -1.0, "m", "a clamp", "move it"});
+    }
+    std::sort(planned.findings.begin(), planned.findings.end(), [](const auto& a, const auto& b) {
+      return a.segment != b.segment ? a.segment < b.segment : a.index < b.index;
+    });
+  }
+
+  PartialStage partial() const {
+    const MotionStage motion = motionStage(airRun(whole_, cell_, options_.program), cell_, options_, {});
+    return partialStage(*planner_, whole_, motion, scan_, cell_, options_, {});
+  }
+
+  scan::FittedScan scan_;
+  Cell cell_;
+  JobOptions options_;
+  std::unique_ptr<process::Planner> planner_;
+  PathStage whole_;
+  int blocked_ = -1;
+};
+
+TEST_F(PartialTest, DrivesWhatIsLeftAndNeverThroughThePart) {
+  const PartialStage stage = partial();
+  ASSERT_FALSE(stage.path.planned.path.segments.empty());
+  EXPECT_TRUE(std::all_of(stage.motion.verdicts.begin(), stage.motion.verdicts.end(),
+                          [](const auto& verdict) { return verdict.verdict == Verdict::ok; }));
+  for (const auto& figure : stage.motion.accuracy) EXPECT_TRUE(figure.pass()) << figure.name << " " << figure.value;
+  const double radius = options_.path.ball_radius;
+  // The gouge tolerance, and the chords' own.
+  EXPECT_LT(deepest(stage.path.planned.path, radius), options_.path.gouge_tolerance + options_.path.chord_tolerance);
+  EXPECT_GT(deepest(whole_.planned.path, radius), 1e-3);
+}
+
+// The mutation twin: a row without what fails, joined straight across, as a partial program must not be.
+TEST_F(PartialTest, JoiningStraightOverAGapIsSeen) {
+  ToolPath joined = whole_.planned.path;
+  joined.segments = {joined.segments[static_cast<std::size_t>(blocked_)]};
+  auto& waypoints = joined.segments[0].waypoints;
+  for (auto finding = whole_.planned.findings.rbegin(); finding != whole_.planned.findings.rend(); ++finding) {
+    if (finding->segment == blocked_) waypoints.erase(waypoints.begin() + finding->index);
+  }
+  EXPECT_GT(deepest(joined, options_.path.ball_radius), 1e-3);
+}
+
+TEST_F(PartialTest, LinksClearWhatIsLeftOutToo) {
+  const PartialStage stage = partial();
+  const auto& segments = stage.path.planned.path.segments;
+  const std::string row = whole_.planned.path.segments[static_cast<std::size_t>(blocked_)].name;
+  std::size_t pieces = 0;
+  for (std::size_t s = 0; s < segments.size(); ++s) pieces += segments[s].name.rfind(row + "_part_", 0) == 0 ? 1 : 0;
+  EXPECT_GE(pieces, 2U);  // before and behind the hump
+}
+
+TEST_F(PartialTest, ShortensRowsThatEndOutOfReachAndDropsWhatIsOutOfIt) {
+  const PartialStage stage = partial();
+  std::set<std::string> driven;
+  for (const auto& segment : stage.path.planned.path.segments) {
+    if (toolpath::isRow(segment)) driven.insert(segment.name.substr(0, segment.name.find("_part")));
+  }
+  std::set<std::string> planned;
+  for (const auto& segment : whole_.planned.path.segments) {
+    if (toolpath::isRow(segment)) planned.insert(segment.name);
+  }
+  EXPECT_LT(driven.size(), planned.size());  // a row all of which is too far to the left
+  EXPECT_EQ(driven.count("row_0"), 1U);
+  EXPECT_EQ(driven.count("row_" + std::to_string(planned.size() - 1)), 0U);
+  for (const auto& segment : stage.path.planned.path.segments) {
+    for (const auto& waypoint : segment.waypoints) EXPECT_LT(waypoint.pose.translation().y(), 0.03);
+  }
+}
+
+TEST_F(PartialTest, EveryWaypointIsEitherDrivenOrNamed) {
+  const PartialStage stage = partial();
+  std::size_t planned = 0;
+  std::size_t driven = 0;
+  const auto count = [](const ToolPath& path, std::size_t& contacts) {
+    for (const auto& segment : path.segments) {
+      for (std::size_t i = 0; i < segment.waypoints.size(); ++i) contacts += toolpath::isContact(segment, i) ? 1 : 0;
+    }
+  };
+  count(whole_.planned.path, planned);
+  count(stage.path.planned.path, driven);
+  EXPECT_EQ(planned, driven + stage.left_out.size());
+  std::set<Verdict> verdicts;
+  for (const auto& left_out : stage.left_out) {
+    const auto& verdict = left_out.verdict;
+    const auto& row = whole_.planned.path.segments[static_cast<std::size_t>(verdict.segment)];
+    EXPECT_EQ(row.name, left_out.segment);
+    EXPECT_EQ(row.waypoints[static_cast<std::size_t>(verdict.index)].pose.translation(), left_out.position);
+    EXPECT_NE(verdict.verdict, Verdict::ok);
+    EXPECT_FALSE(verdict.reason.empty() || verdict.remedy.empty());
+    verdicts.insert(verdict.verdict);
+  }
+  EXPECT_EQ(verdicts.count(Verdict::gouge), 1U);
+  EXPECT_EQ(verdicts.count(Verdict::collision), 1U);
+  EXPECT_GT(verdicts.size(), 2U);  // and what the arm cannot do
+  EXPECT_GT(stage.left_out_share, 0.1);
+  EXPECT_LT(stage.left_out_share, 0.9);
+  RecordProperty("left_out_share", std::to_string(stage.left_out_share));
+}
+
+TEST_F(PartialTest, AnAirRunOfItIsLifted) {
+  options_.program.dry_offset = 0.03;
+  const PartialStage stage = partial();
+  ASSERT_FALSE(stage.path.planned.path.segments.empty());
+  EXPECT_TRUE(stage.path.planned.path.lift.isZero(0.0));
+  const PathStage air = airRun(stage.path, cell_, options_.program);
+  EXPECT_EQ(stage.motion.verdicts.size(), toolpath::waypointCount(air.planned.path));
+  EXPECT_LT(deepest(air.planned.path, options_.path.ball_radius), -0.015);
+}
+
+TEST(PartialNotices, NamesStretches) {
+  const auto out = [](int segment, int index, Verdict verdict) {
+    return LeftOut{
+        "row_" + std::to_string(segment), Vector3::Zero(), {segment, index, verdict, -1.0, "m", "why", "how"}};
+  };
+  const std::vector<LeftOut> list = {out(1, 4, Verdict::gouge), out(1, 5, Verdict::gouge), out(1, 7, Verdict::gouge),
+                                     out(3, 8, Verdict::speed)};
+  const auto lines = partialNotices(list, 0.125, 2);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_THAT(lines[0], HasSubstr("PARTIAL PROGRAM: 4 waypoints, 12.50 % of"));
+  EXPECT_EQ(lines[1], "- left out: row_1 waypoints 4 to 5: gouge");
+  EXPECT_EQ(lines[2], "- left out: row_1 waypoints 7 to 7: gouge");
+  EXPECT_EQ(lines[3], "- and 1 stretches more, see report.json");
+  EXPECT_TRUE(partialNotices({}, 0.0).empty());
+}
+
+}  // namespace
+}  // namespace scan_to_path::pipeline
