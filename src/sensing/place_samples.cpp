@@ -173,7 +173,7 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
   if (scan.cloud.points.empty()) throwNothingPlaced(samples, scan.dropped);
   Vector3 beam_sum = Vector3::Zero();
   for (const auto& block : blocks) beam_sum += block.beam_sum;
-  scan.mean_beam = beam_sum.normalized();
+  scan.mean_beam = geometry::roundedDirection(beam_sum);
   progress.update("placing samples", 1.0);
   return scan;
 }
