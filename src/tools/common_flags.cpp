@@ -5,9 +5,6 @@
 #include <cstdlib>
 
 #include "scan_to_path/common/text.h"
-#include "scan_to_path/geometry/height_field.h"
-#include "scan_to_path/mesh/mesh_surface.h"
-#include "scan_to_path/mesh/read_mesh.h"
 #include "scan_to_path/pipeline/configuration.h"
 
 namespace scan_to_path::tools {
@@ -85,21 +82,6 @@ std::vector<fs::path> CommonFlags::packagePath() const {
   }
   path.push_back(ownPackage());
   return path;
-}
-
-Workpiece readWorkpiece(const fs::path& file, std::optional<pipeline::Units> units, std::optional<double> scale) {
-  auto mesh = mesh::readMesh(file).mesh;
-  const pipeline::Units unit = units.value_or(pipeline::Units::m);
-  const double factor = pipeline::metresPerUnit(unit) * scale.value_or(1.0);
-  for (auto& vertex : mesh.vertices) vertex *= factor;
-  const Eigen::AlignedBox3d bounds = mesh.bounds();
-  if (!units && !scale) pipeline::checkPlausibleSize(bounds, unit, file.filename().string());
-  return {std::make_shared<mesh::MeshSurface>(std::move(mesh)), bounds};
-}
-
-Workpiece sPart() {
-  const auto part = std::make_shared<geometry::SPart>();
-  return {part, Eigen::AlignedBox3d(Eigen::Vector3d(0.0, 0.0, -0.03), Eigen::Vector3d(0.24, 0.16, 0.03))};
 }
 
 }  // namespace scan_to_path::tools

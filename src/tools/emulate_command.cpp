@@ -4,11 +4,10 @@
 
 #include "commands.h"
 #include "common_flags.h"
+#include "emulated_world.h"
 #include "progress_bar.h"
 #include "scan_to_path/common/output_directory.h"
 #include "scan_to_path/common/text.h"
-#include "scan_to_path/geometry/scene.h"
-#include "scan_to_path/geometry/worlds.h"
 #include "scan_to_path/pipeline/configuration.h"
 #include "scan_to_path/sensing/emulate_scan.h"
 
@@ -27,8 +26,6 @@ struct EmulateFlags {
   std::string out;
 };
 
-constexpr double s_part_table = -0.024;  // [m], spec of the S part
-
 void addFlags(CLI::App& command, EmulateFlags& flags) {
   command.add_option("--workpiece", flags.workpiece, "mesh to scan (PLY, STL, OBJ, OFF); default: the S part")
       ->type_name("FILE");
@@ -42,28 +39,10 @@ void addFlags(CLI::App& command, EmulateFlags& flags) {
   flags.common.addTo(command);
 }
 
-struct World {
-  std::shared_ptr<const geometry::Surface> scene;
-  Eigen::AlignedBox3d bounds;
-};
-
-World worldFrom(const EmulateFlags& flags) {
-  std::optional<pipeline::Units> units;
-  if (!flags.units.empty()) units = parseEnum<pipeline::Units>("--units", flags.units);
-  const bool own_part = flags.workpiece.empty();
-  const Workpiece part = own_part ? sPart() : readWorkpiece(flags.workpiece, units, flags.scale);
-  std::optional<double> table = flags.table;
-  if (own_part && !table) table = s_part_table;
-  if (!table || flags.no_table) return {part.surface, part.bounds};
-  const auto plane = std::make_shared<geometry::PosedSurface>(
-      std::make_shared<geometry::Plane>(), geometry::makeFrame({0.0, 0.0, *table}, geometry::Vector3::Zero()));
-  using Surfaces = std::vector<std::shared_ptr<const geometry::Surface>>;
-  return {std::make_shared<geometry::Scene>(Surfaces{part.surface, plane}), part.bounds};
-}
-
-/// The sensor is carried so that the part's heights lie in the middle of its range.
-double rasterHeight(const Eigen::AlignedBox3d& bounds, const sensing::PointLaserOptions& laser) {
-  return 0.5 * (bounds.min().z() + bounds.max().z()) + 0.5 * (laser.distance_min + laser.distance_max);
+WorldOptions worldOptions(const EmulateFlags& flags) {
+  WorldOptions options{flags.workpiece, std::nullopt, flags.scale, flags.table, flags.no_table};
+  if (!flags.units.empty()) options.units = parseEnum<pipeline::Units>("--units", flags.units);
+  return options;
 }
 
 std::string share(std::size_t part, std::size_t whole) {
@@ -92,9 +71,9 @@ int emulate(const EmulateFlags& flags) {
     for (const auto& assignment : flags.common.assignments) pipeline::applyAssignment(fields, assignment);
   }
   if (flags.seed) options.emulate.seed = *flags.seed;
-  const World world = worldFrom(flags);
+  const World world = makeWorld(worldOptions(flags));
   if (!flags.workpiece.empty() && given.count("emulate.raster.height") == 0) {
-    options.emulate.raster.height = rasterHeight(world.bounds, options.cell.laser);
+    options.emulate.raster.height = rasterHeight(world, options.cell.laser);
   }
   if (flags.common.print_config) {
     std::fputs(pipeline::formatYaml(pipeline::fieldReferences(options)).c_str(), stdout);
@@ -103,12 +82,11 @@ int emulate(const EmulateFlags& flags) {
   if (flags.out.empty()) throw InputError("emulate: --out is missing");
   validate(options, "");
   const pipeline::Cell cell = pipeline::makeCell(options.cell, flags.common.packagePath());
-  const Eigen::AlignedBox2d rectangle(world.bounds.min().head<2>(), world.bounds.max().head<2>());
   sensing::EmulatedScan scan;
   {
     ProgressBar bar(flags.common.quiet);
-    scan = sensing::emulateScan(*world.scene, rectangle, cell.T_base_workpiece, cell.robot, cell.encoders, cell.laser,
-                                cell.T_tip_sensor, options.emulate, flags.common.threads, bar.progress());
+    scan = sensing::emulateScan(*world.scene, world.rectangle(), cell.T_base_workpiece, cell.robot, cell.encoders,
+                                cell.laser, cell.T_tip_sensor, options.emulate, flags.common.threads, bar.progress());
     writeFileAtomically(flags.out, scan::formatSampleLog(scan.log));
   }
   if (!flags.common.quiet) printEvidence(scan, flags.out);

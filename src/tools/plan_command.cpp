@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "common_flags.h"
+#include "emulated_world.h"
 #include "progress_bar.h"
 #include "scan_to_path/geometry/scene.h"
 #include "scan_to_path/pipeline/configuration.h"

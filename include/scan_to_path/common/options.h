@@ -46,6 +46,18 @@ const char* enumName(Enum value) {
   return EnumNames<Enum>::names[static_cast<std::size_t>(value)];
 }
 
+/// The value of an enum by its name; `where` stands in messages. Throws InputError naming the choices.
+template <class Enum>
+Enum parseEnum(const std::string& where, const std::string& text) {
+  const auto& names = EnumNames<Enum>::names;
+  std::string choices;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (text == names[i]) return static_cast<Enum>(i);
+    choices += (i > 0 ? ", " : "") + std::string(names[i]);
+  }
+  throw InputError(where, "value", "'" + text + "'", "one of " + choices);
+}
+
 namespace detail {
 struct AnyVisitor {
   template <class T>
