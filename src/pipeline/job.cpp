@@ -11,56 +11,21 @@
 #include "scan_to_path/pipeline/job_output.h"
 #include "scan_to_path/pipeline/partial_stage.h"
 #include "scan_to_path/pipeline/reference_stage.h"
+#include "scan_to_path/pipeline/stage_runner.h"
 #include "scan_to_path/pipeline/stages.h"
 
 namespace scan_to_path::pipeline {
 namespace {
 
-/// A job's input file, read and told.
-struct Input {
-  std::string content;
-  std::string name;
-  std::string sha;
-  InputKind kind = InputKind::samples;
-  Units units = Units::m;
-};
-
-Input readInput(const JobRequest& request) {
-  Input input;
-  input.content = readFile(request.input);
-  input.name = request.input.filename().string();
-  input.sha = sha256(input.content);
-  input.kind = request.input_kind ? *request.input_kind : detectInput(input.content, input.name);
-  input.units = request.units.value_or(Units::m);
-  return input;
-}
-
-Report reportOn(const JobRequest& request, const JobOptions& options, const Input& input) {
-  Report report;
-  report.process = request.process;
-  report.seed = request.seed;
-  report.input_file = input.name;
-  report.input_sha256 = input.sha;
-  report.input_kind = enumName(input.kind);
-  report.input_frame = options.cell.base_link;
-  report.input_units = enumName(input.units);
-  return report;
-}
-
 /// A job under way: runs the stages one after the other and hands what they find to the output.
 class Job {
 public:
-  Job(const JobRequest& request, const JobOptions& options, const Progress& progress)
-      : request_(request), options_(options), progress_(progress), cell_(makeCell(options.cell, request.package_path)) {
-    validate(options_, "");
-    process::validateCutting(options_.path, "path");
-    program::validateProgramOptions(options_.program);
-    progress_.update("read", 0.0);
-    input_ = readInput(request_);
-    output_ = JobOutput(reportOn(request_, options_, input_));
-  }
+  Job(const JobRequest& request, const JobOptions& options, const Cell& cell, StageRunner& stages, const Progress& progress)
+      : request_(request), options_(options), progress_(progress), cell_(cell), stages_(stages) {}
 
   JobResult run() {
+    stages_.read(progress_);
+    timing_.mark("read");
     scan();
     if (reaches(Stage::fit)) fit();
     if (reaches(Stage::path)) path();
@@ -85,30 +50,21 @@ private:
   }
 
   void scan() {
-    if (input_.kind == InputKind::samples) {
-      const scan::SampleLog log = scan::parseSampleLog(input_.content, input_.name);
-      input_.content = std::string();
-      timing_.mark("read");
-      scan_ = scanFromSamples(log, cell_, options_.scan, options_.report, request_.threads, progress_);
-    } else if (input_.kind == InputKind::cloud) {
-      scan_ = scanFromCloud(input_.content, input_.name, input_.units, request_.units.has_value(), options_.scan);
-    } else {
-      throw InputError(
-          input_.name + ": is a " + enumName(input_.kind) + "; " + request_.process +
-          " plans from a scan: a sample log or a cloud (scan a mesh with: scan_to_path emulate --workpiece " +
-          input_.name + ")");
-    }
+    scan_ = stages_.scan(progress_);
+    input_ = stages_.input();
+    output_.setInput(request_, options_, input_);
+    if (auto record = stages_.record()) output_.addFile(record->name, std::move(record->content));
     take(scan_.report, scan_.accuracy, scan_.notes);
   }
 
   void fit() {
-    fit_ = fitStage(scan_, options_.scan, options_.fit, options_.report, request_.threads, progress_);
+    fit_ = stages_.fit(scan_, progress_);
     take(fit_.report, fit_.accuracy, fit_.notes);
   }
 
   void path() {
     planner_ = makePlanner(request_.process, options_);
-    path_ = pathStage(*planner_, fit_.scan, options_.cell.base_link, options_, progress_);
+    path_ = stages_.path(*planner_, fit_, progress_);
     driven_ = airRun(path_, cell_, options_.program);
     take(path_.report, path_.accuracy);
     output_.setPath(driven_.planned.path, driven_.planned.findings);
@@ -125,7 +81,7 @@ private:
   }
 
   void motion() {
-    motion_ = motionStage(driven_, cell_, options_, progress_);
+    motion_ = stages_.motion(driven_, progress_);
     output_.setPath(driven_.planned.path, motion_.verdicts);
     if (request_.allow_partial && output_.hasFailedWaypoint() && !output_.hasFailedTolerance()) partial();
     take(motion_.report, motion_.accuracy);
@@ -183,7 +139,7 @@ private:
   }
 
   std::vector<std::string> provenance() const {
-    return {"input " + input_.name, "SHA-256 " + input_.sha, std::string("scan_to_path ") + version};
+    return {"input " + input_.name, "SHA-256 " + input_.sha256, std::string("scan_to_path ") + version};
   }
 
   /// Defaults that no part can tell: a program with them runs, but not well.
@@ -202,10 +158,11 @@ private:
   const JobRequest& request_;
   const JobOptions& options_;
   const Progress& progress_;
-  Cell cell_;
+  const Cell& cell_;
+  StageRunner& stages_;
   Timing timing_;
-  Input input_;
-  JobOutput output_{Report{}};
+  JobInput input_;
+  JobOutput output_;
   ScanStage scan_;
   FitStage fit_;
   std::unique_ptr<process::Planner> planner_;
@@ -217,8 +174,22 @@ private:
 
 }  // namespace
 
+void validateJob(const JobOptions& options) {
+  validate(options, "");
+  process::validateCutting(options.path, "path");
+  program::validateProgramOptions(options.program);
+}
+
 JobResult runJob(const JobRequest& request, const JobOptions& options, const Progress& progress) {
-  return Job(request, options, progress).run();
+  validateJob(options);
+  const Cell cell = makeCell(options.cell, request.package_path);
+  FileRunner stages(request, options, cell);
+  return runJob(request, options, cell, stages, progress);
+}
+
+JobResult runJob(const JobRequest& request, const JobOptions& options, const Cell& cell, StageRunner& stages,
+                 const Progress& progress) {
+  return Job(request, options, cell, stages, progress).run();
 }
 
 }  // namespace scan_to_path::pipeline

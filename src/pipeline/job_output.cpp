@@ -16,10 +16,20 @@ namespace fs = std::filesystem;
 bool isResultFile(const std::string& name) {
   const bool is_module = name.rfind("program", 0) == 0 && fs::path(name).extension() == ".mod";
   return is_module || name == "program.pgf" || name == "path.csv" || name == "trajectory.csv" || name == "pulses.csv" ||
-         name == "report.json" || name == "timing.json";
+         name == "report.json" || name == "timing.json" || name == "scan.pcd";
 }
 
 }  // namespace
+
+void JobOutput::setInput(const JobRequest& request, const JobOptions& options, const JobInput& input) {
+  report_.process = request.process;
+  report_.seed = request.seed;
+  report_.input_file = input.name;
+  report_.input_sha256 = input.sha256;
+  report_.input_kind = enumName(input.kind);
+  report_.input_frame = options.cell.base_link;
+  report_.input_units = enumName(input.units);
+}
 
 void JobOutput::addStage(const StageReport& stage, const std::vector<Accuracy>& accuracy,
                          const std::vector<std::string>& notes) {

@@ -28,7 +28,7 @@ std::vector<toolpath::WaypointVerdict> verdicts(toolpath::Verdict second) {
 }
 
 TEST(JobOutput, IsBlockedByAWaypointOrATolerance) {
-  JobOutput output{Report{}};
+  JobOutput output;
   output.setPath(onePath(), verdicts(toolpath::Verdict::ok));
   output.setFigures({{"a", 1.0, "m", 2.0}});
   EXPECT_FALSE(output.isBlocked());
@@ -53,8 +53,8 @@ TEST(JobOutput, WhatIsLeftOutIsNoSuccess) {
     output.addFile("program.mod", "MODULE a");
     return output.write(request, JobOptions(), Timing(), {});
   };
-  EXPECT_EQ(written(JobOutput(Report{})).exit, 0);
-  JobOutput partial{Report{}};
+  EXPECT_EQ(written(JobOutput()).exit, 0);
+  JobOutput partial;
   partial.setLeftOut(
       {{"row_3", Vector3(1.0, 2.0, 3.0), {5, 7, toolpath::Verdict::gouge, -1e-3, "m", "too deep", "a ball"}}}, 0.25);
   const JobResult result = written(partial);

@@ -52,6 +52,16 @@ struct JobResult {
 /// result is left alone) and Interrupted (130).
 JobResult runJob(const JobRequest& request, const JobOptions& options, const Progress& progress);
 
+class StageRunner;
+struct Cell;
+
+/// The same with the stages run by `stages`; options are valid (validateJob), `cell` is made from them.
+JobResult runJob(const JobRequest& request, const JobOptions& options, const Cell& cell, StageRunner& stages,
+                 const Progress& progress);
+
+/// Throws InputError for an option out of range, naming it.
+void validateJob(const JobOptions& options);
+
 }  // namespace scan_to_path::pipeline
 
 namespace scan_to_path {

@@ -8,6 +8,7 @@
 
 #include "scan_to_path/pipeline/job.h"
 #include "scan_to_path/pipeline/report.h"
+#include "scan_to_path/pipeline/stage_runner.h"
 #include "scan_to_path/pipeline/timing.h"
 
 namespace scan_to_path::pipeline {
@@ -15,8 +16,7 @@ namespace scan_to_path::pipeline {
 /// What the stages of a job found, as report and files. Grows stage by stage, whoever runs them, and is written once.
 class JobOutput {
 public:
-  /// A report with the input's fields filled in.
-  explicit JobOutput(Report report) : report_(std::move(report)) {}
+  void setInput(const JobRequest& request, const JobOptions& options, const JobInput& input);
 
   void addStage(const StageReport& stage, const std::vector<Accuracy>& accuracy, const std::vector<std::string>& notes);
 

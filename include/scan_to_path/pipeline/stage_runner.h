@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "scan_to_path/pipeline/input.h"
+#include "scan_to_path/pipeline/job.h"
+#include "scan_to_path/pipeline/stages.h"
+
+namespace scan_to_path::pipeline {
+
+/// What a scan was taken from, as the report says it.
+struct JobInput {
+  std::string name;    ///< of the file, without directories
+  std::string sha256;  ///< of its bytes
+  InputKind kind = InputKind::samples;
+  Units units = Units::m;
+};
+
+/// Runs the stages of a job in their order. Here they run in this process; who has them run elsewhere overrides them.
+/// All throw as the stage functions do.
+class StageRunner {
+public:
+  StageRunner(const JobRequest& request, const JobOptions& options, const Cell& cell)
+      : request_(request), options_(options), cell_(cell) {}
+  virtual ~StageRunner() = default;
+  StageRunner(const StageRunner&) = delete;
+  StageRunner& operator=(const StageRunner&) = delete;
+
+  /// Reads what the scan is taken from.
+  virtual void read(const Progress&) {}
+  virtual ScanStage scan(const Progress& progress) = 0;
+
+  /// After scan(): what it was taken from, and a file that keeps it where the user has none yet.
+  virtual JobInput input() const = 0;
+  virtual std::optional<program::ProgramFile> record() const { return std::nullopt; }
+
+  virtual FitStage fit(const ScanStage& scanned, const Progress& progress) {
+    return fitStage(scanned, options_.scan, options_.fit, options_.report, request_.threads, progress);
+  }
+  virtual PathStage path(const process::Planner& planner, const FitStage& fitted, const Progress& progress) {
+    return pathStage(planner, fitted.scan, options_.cell.base_link, options_, progress);
+  }
+  virtual MotionStage motion(const PathStage& driven, const Progress& progress) {
+    return motionStage(driven, cell_, options_, progress);
+  }
+
+protected:
+  const JobRequest& request_;
+  const JobOptions& options_;
+  const Cell& cell_;
+};
+
+/// Takes the scan from request.input: a sample log or a cloud.
+class FileRunner : public StageRunner {
+public:
+  using StageRunner::StageRunner;
+  void read(const Progress& progress) override;
+  ScanStage scan(const Progress& progress) override;
+  JobInput input() const override { return input_; }
+
+private:
+  JobInput input_;
+  std::string content_;
+  scan::SampleLog log_;
+};
+
+}  // namespace scan_to_path::pipeline
