@@ -102,7 +102,7 @@ ScanStage scanFromCloud(std::string_view content, const std::string& name, Units
   ScanStage stage;
   stage.mean_beam = file.viewing_direction.value_or(options.beam);
   if (!(stage.mean_beam.norm() > 0.0)) throw InputError("scan.beam is zero, must be a direction");
-  stage.mean_beam.normalize();
+  stage.mean_beam = geometry::roundedDirection(stage.mean_beam);
   stage.cloud = std::move(file.cloud);
   stage.report = {"scan", stage.cloud.size() + file.no_return, stage.cloud.size(), {}};
   scan::addDropped(stage.report.dropped, "no return", file.no_return);

@@ -212,6 +212,7 @@ private:
     planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
     const Vector3 up = scan.T_cloud_scan.linear().col(2);
     planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, options_.links, also_below);
+    planned.path = toolpath::snapped(std::move(planned.path));
     planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
     const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance);
     planned.findings = gouges.check(planned.path, planned.allowances);

@@ -266,7 +266,7 @@ std::string formatPcd(const ScanCloud& cloud, const geometry::Frame& T_cloud_sen
   const Vector3 origin = T_cloud_sensor.translation();
   const Eigen::Quaterniond turn = geometry::canonicalQuaternion(T_cloud_sensor.linear());
   for (const double value : {origin.x(), origin.y(), origin.z(), turn.w(), turn.x(), turn.y(), turn.z()}) {
-    text += " " + fixed(value, 9);
+    text += " " + fixed(value, 15);
   }
   text += "\nPOINTS " + count + "\nDATA binary\n";
   text.reserve(text.size() + 24 * cloud.size());

@@ -81,7 +81,7 @@ SampleRows findRows(const ScanCloud& cloud, const Vector3& mean_beam, const RowO
   rows.pitch = orderRows(track, runs, window);
 
   const Vector3 origin = middle(track);
-  rows.T_cloud_scan = scanFrame(T_cloud_beam, axis, origin);
+  rows.T_cloud_scan = geometry::snapped(scanFrame(T_cloud_beam, axis, origin));
   rows.pieces = makePieces(track, runs, origin);
   addDropped(rows.dropped, "turn", track.size() - sampleCount(rows));
   return rows;
