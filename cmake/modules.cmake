@@ -6,6 +6,12 @@ add_library(scan_to_path_pcl INTERFACE)
 target_include_directories(scan_to_path_pcl SYSTEM INTERFACE ${PCL_COMMON_INCLUDE_DIRS})
 target_link_libraries(scan_to_path_pcl INTERFACE Eigen3::Eigen)
 
+# Half of what a source costs is templates that its neighbours use too. Hence names in anonymous namespaces differ within
+# a module, and within its tests.
+function(scan_to_path_join_sources target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOIN_SOURCES} UNITY_BUILD_BATCH_SIZE 7)
+endfunction()
+
 # The headers that every source includes anyway, compiled once for all modules.
 file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
 add_library(scan_to_path_precompiled STATIC ${CMAKE_BINARY_DIR}/precompiled.cpp)
@@ -33,6 +39,9 @@ function(scan_to_path_module name)
     set(kind PUBLIC)
     add_library(scan_to_path_${name} STATIC ${sources})
     target_precompile_headers(scan_to_path_${name} REUSE_FROM scan_to_path_precompiled)
+    scan_to_path_join_sources(scan_to_path_${name})
+    # A static library can be made before those it uses.
+    set_target_properties(scan_to_path_${name} PROPERTIES OPTIMIZE_DEPENDENCIES ON)
     scan_to_path_sanitize(scan_to_path_${name})
     set_property(GLOBAL APPEND PROPERTY scan_to_path_objects $<TARGET_OBJECTS:scan_to_path_${name}>)
   else()

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "scan_to_path/common/angles.h"
+
 #include "scan_to_path/geometry/height_field.h"
 
 namespace scan_to_path::geometry {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double length = 0.24;             // along x [m]
-constexpr double width = 0.16;              // along y [m]
-constexpr double along = 2.0 * pi / length; // wave numbers [rad/m]
+constexpr double length = 0.24;              // along x [m]
+constexpr double width = 0.16;               // along y [m]
+constexpr double along = 2.0 * pi / length;  // wave numbers [rad/m]
 constexpr double across = pi / width;
 constexpr double a = 0.020;  // amplitudes [m]
 constexpr double b = 0.004;
 constexpr double c = 0.003;
 
 // |f| <= a + b + c; the Hessian's norm is at most its largest diagonal entry plus the other one.
-constexpr HeightField::Bounds bounds = {-(a + b + c), a + b + c, (a + c) * along * along + c * along * across};
+constexpr HeightField::Bounds bounds = {-(a + b + c), a + b + c, (a + c) * along* along + c* along* across};
 
 }  // namespace
 
@@ -29,12 +30,8 @@ HeightJet SPart::jet(double x, double y) const {
   const double cx = std::cos(along * x);
   const double sy = std::sin(across * y);
   const double cy = std::cos(across * y);
-  return {-a * sx + b * sy + c * sx * sy,
-          along * cx * (-a + c * sy),
-          across * cy * (b + c * sx),
-          along * along * sx * (a - c * sy),
-          along * across * c * cx * cy,
-          -across * across * sy * (b + c * sx)};
+  return {-a * sx + b * sy + c * sx * sy,    along * cx * (-a + c * sy),   across * cy * (b + c * sx),
+          along * along * sx * (a - c * sy), along * across * c * cx * cy, -across * across * sy * (b + c * sx)};
 }
 
 }  // namespace scan_to_path::geometry

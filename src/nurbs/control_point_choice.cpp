@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "cubic.h"
 #include "fit_criterion.h"
 #include "scan_to_path/common/parallel.h"
 
 namespace scan_to_path::nurbs {
 namespace {
-
-constexpr int degree = 3;
 
 /// Numbers of control points to try, rising.
 std::vector<int> candidateCounts(int largest) {
@@ -48,9 +47,8 @@ public:
       double density = 0.0;
       forPool(lines, i, window, [&](std::size_t j) { density = std::max(density, useful[j]); });
       tried_.push_back(candidatesUpTo(i, density));
-      forPool(lines, i, window, [&](std::size_t j) {
-        needed[j] = std::max(needed[j], matching(i, tried_[i] - 1, j) + 1);
-      });
+      forPool(lines, i, window,
+              [&](std::size_t j) { needed[j] = std::max(needed[j], matching(i, tried_[i] - 1, j) + 1); });
     }
     parallelFor(lines.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -148,8 +146,7 @@ std::vector<int> chooseControlPoints(const std::vector<LineMoments>& lines, cons
     const std::size_t candidates = table.tried(i);
     if (candidates == 0) continue;
     Pool pool(candidates);
-    forPool(lines, i, window,
-            [&](std::size_t j) { pool.add(table, i, j, static_cast<double>(lines[j].samples())); });
+    forPool(lines, i, window, [&](std::size_t j) { pool.add(table, i, j, static_cast<double>(lines[j].samples())); });
     chosen[i] = table.counts()[pool.best(options.noise)];
   }
   return chosen;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "cubic.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/nurbs/knot_vector.h"
 #include "sorted_samples.h"
@@ -12,8 +13,6 @@
 
 namespace scan_to_path::nurbs {
 namespace {
-
-constexpr std::size_t degree = 3;
 
 void checkInside(const LineSamples& samples, const std::vector<double>& knots) {
   for (const double u : {samples.u[0], samples.u[samples.count - 1]}) {

@@ -9,10 +9,10 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/nurbs/knot_vector.h"
 
+#include "cubic.h"
+
 namespace scan_to_path::nurbs {
 namespace {
-
-constexpr std::size_t degree = 3;
 
 /// A span that is not empty with the power form of its basis functions and the number of the first of them.
 struct BasisSpan {
@@ -124,7 +124,7 @@ HeightDerivatives HeightSurface::at(double u, double v) const {
   const double s = (u - u_.spans[span_u].centre) * du;
   const double t = (v - v_.spans[span_v].centre) * dv;
   const Patch& a = patch(span_u, span_v);
-  double row[4];     // polynomials in t: the patch at s, and its derivatives by s
+  double row[4];  // polynomials in t: the patch at s, and its derivatives by s
   double row_s[4];
   double row_ss[4];
   for (std::size_t l = 0; l < 4; ++l) {

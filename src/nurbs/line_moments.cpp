@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cubic.h"
 #include "cubic_moments.h"
 #include "fit_criterion.h"
 #include "scan_to_path/common/error.h"
@@ -20,7 +21,6 @@
 namespace scan_to_path::nurbs {
 namespace {
 
-constexpr int degree = 3;
 constexpr std::size_t samples_per_cell = 12;  // at least, and below twice as many: cells are a power of two
 constexpr std::size_t min_cells = 64;
 constexpr int max_blocks = 8;  // in a span

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "cubic.h"
 #include "fit_criterion.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/nurbs/knot_vector.h"
@@ -19,12 +20,11 @@
 namespace scan_to_path::nurbs {
 namespace {
 
-constexpr int degree = 3;
 constexpr std::size_t coarse_cells = 128;
 constexpr std::size_t fine_cells = 512;
-constexpr std::size_t min_cells = 64;
+constexpr std::size_t min_grid_cells = 64;
 constexpr int coarse_count = 64;
-constexpr int max_count = 259;
+constexpr int most_control_points = 259;
 // Multiplications that one solution of a fit on the fine grid may take: about a second.
 constexpr double most_work = 2e9;
 // Weight of the thin-plate energy against the data at the scale of a span: see fitHeightSurface. On the fine grid knots
@@ -71,7 +71,7 @@ public:
 
 private:
   static std::size_t cells(std::size_t wanted, std::size_t max_cells) {
-    return powerOfTwoAtMost(std::min(max_cells, std::max(min_cells, wanted)));
+    return powerOfTwoAtMost(std::min(max_cells, std::max(min_grid_cells, wanted)));
   }
   static std::size_t cellsU(const std::vector<HeightSamples>& lines, std::size_t max_cells) {
     std::size_t longest = 0;
@@ -276,9 +276,9 @@ SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const Surfa
 
 SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, int count_u, int count_v) {
   for (const int count : {count_u, count_v}) {
-    if (count <= degree || count > max_count) {
+    if (count <= degree || count > most_control_points) {
       throw InputError("surface fit", "number of control points", std::to_string(count),
-                       "in [" + std::to_string(degree + 1) + ", " + std::to_string(max_count) + "]");
+                       "in [" + std::to_string(degree + 1) + ", " + std::to_string(most_control_points) + "]");
     }
   }
   const int coarse_limit = static_cast<int>(coarse_cells / 2) + degree;

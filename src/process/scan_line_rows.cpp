@@ -16,7 +16,7 @@ namespace {
 
 using scan::FittedLine;
 
-constexpr double shortest_row = 1e-4;  // [m]
+constexpr double shortest_piece = 1e-4;  // [m]
 
 /// Parameter at distance `margin` of the line's end, by walking in.
 double movedIn(const nurbs::Curve& curve, double from, double to, double margin) {
@@ -78,7 +78,7 @@ std::vector<Row> piecesOfLines(const scan::FittedScan& scan, const CuttingOption
     Row row;
     row.row = line.row;
     row.points = inScanFrame(estimator.orient(static_cast<int>(i), waypointParameters(line, options)), T_scan_cloud);
-    if (row.points.size() < 2 || row.points.back().t - row.points.front().t < shortest_row) continue;
+    if (row.points.size() < 2 || row.points.back().t - row.points.front().t < shortest_piece) continue;
     pieces.push_back(std::move(row));
   }
   return pieces;

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 
 namespace scan_to_path::program {
 namespace {
 
-constexpr double right_angle = 1.5707963267948966;
 constexpr double boundary_tolerance = 1e-7;
 
 /// A joint's origin and axis in the robot's base.

@@ -12,22 +12,22 @@ namespace {
 
 // Reserved words of RAPID, then names that RobotWare predefines and a program must not take.
 constexpr std::array<std::string_view, 94> taken_names = {
-    "alias",    "and",       "backward",  "case",     "connect",    "const",     "default",  "div",      "do",
-    "else",     "elseif",    "endfor",    "endfunc",  "endif",      "endmodule", "endproc",  "endrecord", "endtest",
-    "endtrap",  "endwhile",  "error",     "exit",     "false",      "for",       "from",     "func",     "goto",
-    "if",       "inout",     "local",     "mod",      "module",     "nostepin",  "not",      "noview",   "or",
-    "pers",     "proc",      "raise",     "readonly", "record",     "retry",     "return",   "step",     "sysmodule",
-    "task",     "test",      "then",      "to",       "trap",       "true",      "trynext",  "undo",     "var",
-    "viewonly", "while",     "with",      "xor",      "main",       "tool0",     "wobj0",    "load0",    "fine",
-    "vmax",     "bool",      "num",       "dnum",     "string",     "pos",       "orient",   "pose",     "confdata",
-    "extjoint", "robtarget", "robjoint",  "jointtarget", "speeddata", "zonedata", "tooldata", "wobjdata", "loaddata",
-    "movel",    "movej",     "moveabsj",  "movec",    "offs",       "setdo",     "set",      "reset",    "stop",
-    "break",    "confl",     "confj",     "distance"};
+    "alias",    "and",       "backward", "case",        "connect",   "const",     "default",  "div",       "do",
+    "else",     "elseif",    "endfor",   "endfunc",     "endif",     "endmodule", "endproc",  "endrecord", "endtest",
+    "endtrap",  "endwhile",  "error",    "exit",        "false",     "for",       "from",     "func",      "goto",
+    "if",       "inout",     "local",    "mod",         "module",    "nostepin",  "not",      "noview",    "or",
+    "pers",     "proc",      "raise",    "readonly",    "record",    "retry",     "return",   "step",      "sysmodule",
+    "task",     "test",      "then",     "to",          "trap",      "true",      "trynext",  "undo",      "var",
+    "viewonly", "while",     "with",     "xor",         "main",      "tool0",     "wobj0",    "load0",     "fine",
+    "vmax",     "bool",      "num",      "dnum",        "string",    "pos",       "orient",   "pose",      "confdata",
+    "extjoint", "robtarget", "robjoint", "jointtarget", "speeddata", "zonedata",  "tooldata", "wobjdata",  "loaddata",
+    "movel",    "movej",     "moveabsj", "movec",       "offs",      "setdo",     "set",      "reset",     "stop",
+    "break",    "confl",     "confj",    "distance"};
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
 
-std::string lowerCase(std::string_view text) {
+std::string inLowerCase(std::string_view text) {
   std::string lower(text);
   for (auto& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -46,7 +46,7 @@ bool isPredefinedSeries(const std::string& lower) {
 bool isRapidName(std::string_view name) {
   if (name.empty() || name.size() > rapid_name_length || !isLetter(name.front())) return false;
   if (!std::all_of(name.begin(), name.end(), isNameCharacter)) return false;
-  const std::string lower = lowerCase(name);
+  const std::string lower = inLowerCase(name);
   return !isPredefinedSeries(lower) && std::find(taken_names.begin(), taken_names.end(), lower) == taken_names.end();
 }
 

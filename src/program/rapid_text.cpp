@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/program/rapid_names.h"
@@ -12,7 +13,6 @@
 namespace scan_to_path::program {
 namespace {
 
-constexpr double degrees_per_radian = 57.29577951308232;
 constexpr std::size_t line_width = 80;
 
 std::string list(std::initializer_list<std::string> items) {
@@ -25,12 +25,14 @@ void appendSafetyNotice(std::string& module) {
   appendComment(module, "SAFETY. This program was generated; nobody has run it yet.");
   appendComment(module, "- Collisions of arm, tool, cables and cell are NOT checked.");
   appendComment(module, "- Simulate it first (RobotStudio with this robot, this tool, this work object).");
-  appendComment(module, "- Then drive it dry: generate it with dry_offset, process off, and run it in manual reduced "
-                        "speed with the enabling device in hand.");
+  appendComment(module,
+                "- Then drive it dry: generate it with dry_offset, process off, and run it in manual reduced "
+                "speed with the enabling device in hand.");
   appendComment(module, "- Then run it on the part at reduced speed override before full speed.");
   appendComment(module, "- Check tool data, load data and work object against the cell; identify the load.");
-  appendComment(module, "- Whoever loads and starts it is responsible for the risk assessment of the cell and for "
-                        "the people in it. See docs/programs.md.");
+  appendComment(module,
+                "- Whoever loads and starts it is responsible for the risk assessment of the cell and for "
+                "the people in it. See docs/programs.md.");
 }
 
 }  // namespace
@@ -41,8 +43,8 @@ std::string rapidNumber(double value, int digits) {
 }
 
 std::string rapidPosition(const geometry::Vector3& position) {
-  return list({rapidNumber(1e3 * position.x(), 4), rapidNumber(1e3 * position.y(), 4),
-               rapidNumber(1e3 * position.z(), 4)});
+  return list(
+      {rapidNumber(1e3 * position.x(), 4), rapidNumber(1e3 * position.y(), 4), rapidNumber(1e3 * position.z(), 4)});
 }
 
 std::string rapidOrientation(const Eigen::Matrix3d& R) {
@@ -57,8 +59,8 @@ std::string rapidAxes(const JointVector& axes) {
 }
 
 std::string rapidConfiguration(const AxisConfiguration& configuration) {
-  return list({std::to_string(configuration.cf1), std::to_string(configuration.cf4),
-               std::to_string(configuration.cf6), std::to_string(configuration.cfx)});
+  return list({std::to_string(configuration.cf1), std::to_string(configuration.cf4), std::to_string(configuration.cf6),
+               std::to_string(configuration.cfx)});
 }
 
 void appendComment(std::string& module, std::string_view text) {
@@ -84,8 +86,8 @@ void appendHeader(std::string& module, const ProgramInput& input, std::size_t mo
   for (const auto& line : input.notices) appendComment(module, line);
   for (const auto& line : input.provenance) appendComment(module, line);
   for (const auto& line : input.options.comments) appendComment(module, line);
-  appendComment(module, std::to_string(moves) + " waypoints in " + std::to_string(input.path.segments.size()) +
-                            " segments");
+  appendComment(module,
+                std::to_string(moves) + " waypoints in " + std::to_string(input.path.segments.size()) + " segments");
   if (input.options.dry_offset > 0.0) {
     appendComment(module, "AIR RUN: the whole path is shifted by " + rapidNumber(1e3 * input.options.dry_offset, 3) +
                               " mm, its targets and its start; the process stays off.");

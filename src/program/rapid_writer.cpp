@@ -7,6 +7,7 @@
 
 #include "planned_moves.h"
 #include "rapid_text.h"
+#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/program/axis_configuration.h"
 #include "scan_to_path/program/rapid_names.h"
@@ -15,7 +16,6 @@ namespace scan_to_path::program {
 namespace {
 
 constexpr const char* no_external_axes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
-constexpr double degrees_per_radian = 57.29577951308232;
 
 /// Names of speed data, in order of first use.
 class SpeedTable {
@@ -65,9 +65,9 @@ void appendTool(std::string& module, const ProgramInput& input) {
   const auto& options = input.options;
   const auto& inertia = options.tool_inertia;
   module += "  PERS tooldata " + options.tool_name + " := [TRUE,\n    " + poseOnTwoLines(input.T_tip_tcp) + ",\n    [" +
-            rapidNumber(options.tool_mass, 3) + "," + rapidPosition(options.tool_centre_of_gravity) +
-            ",[1,0,0,0]," + rapidNumber(inertia.x(), 6) + "," + rapidNumber(inertia.y(), 6) + "," +
-            rapidNumber(inertia.z(), 6) + "]];\n";
+            rapidNumber(options.tool_mass, 3) + "," + rapidPosition(options.tool_centre_of_gravity) + ",[1,0,0,0]," +
+            rapidNumber(inertia.x(), 6) + "," + rapidNumber(inertia.y(), 6) + "," + rapidNumber(inertia.z(), 6) +
+            "]];\n";
 }
 
 void appendWorkobject(std::string& module, const ProgramInput& input) {
@@ -90,28 +90,31 @@ void appendData(std::string& module, const ProgramInput& input, const std::vecto
 /// The controller's own kinematics of the start axes against the plan's: a wrong arm, axis 3 convention, tool or base
 /// frame shows here, before anything moves.
 void appendRobotCheck(std::string& module, const ProgramOptions& options) {
-  module += "\n  ! Stops before the first move when this arm is not the planned one.\n"
-            "  PROC CheckRobot()\n"
-            "    VAR robtarget here;\n"
-            "    VAR num turn;\n"
-            "    here := CalcRobT(start_axes," + options.tool_name + "\\WObj:=" + options.workobject_name + ");\n"
-            "    ! Cosine of half the angle between both: 0.99999 is 0.5 degrees.\n"
-            "    turn := here.rot.q1*start_pose.rot.q1+here.rot.q2*start_pose.rot.q2;\n"
-            "    turn := turn+here.rot.q3*start_pose.rot.q3+here.rot.q4*start_pose.rot.q4;\n"
-            "    IF Distance(here.trans,start_pose.trans) > 0.5\n"
-            "      OR Abs(turn) < 0.99999 THEN\n"
-            "      TPWrite \"ScanToPath: start axes do not give the start point.\";\n"
-            "      TPWrite \"Wrong robot, axis 3 convention, tool or base frame.\";\n"
-            "      EXIT;\n"
-            "    ENDIF\n"
-            "  ENDPROC\n";
+  module +=
+      "\n  ! Stops before the first move when this arm is not the planned one.\n"
+      "  PROC CheckRobot()\n"
+      "    VAR robtarget here;\n"
+      "    VAR num turn;\n"
+      "    here := CalcRobT(start_axes," +
+      options.tool_name + "\\WObj:=" + options.workobject_name +
+      ");\n"
+      "    ! Cosine of half the angle between both: 0.99999 is 0.5 degrees.\n"
+      "    turn := here.rot.q1*start_pose.rot.q1+here.rot.q2*start_pose.rot.q2;\n"
+      "    turn := turn+here.rot.q3*start_pose.rot.q3+here.rot.q4*start_pose.rot.q4;\n"
+      "    IF Distance(here.trans,start_pose.trans) > 0.5\n"
+      "      OR Abs(turn) < 0.99999 THEN\n"
+      "      TPWrite \"ScanToPath: start axes do not give the start point.\";\n"
+      "      TPWrite \"Wrong robot, axis 3 convention, tool or base frame.\";\n"
+      "      EXIT;\n"
+      "    ENDIF\n"
+      "  ENDPROC\n";
 }
 
 void appendProcessRoutine(std::string& module, const ProgramOptions& options, bool on) {
   const std::string name = on ? options.process_on : options.process_off;
   module += "\n  PROC " + name + "()\n";
-  module += on ? "    ! Start the process here; in an air run (dry_run) leave it off.\n"
-               : "    ! Stop the process here.\n";
+  module +=
+      on ? "    ! Start the process here; in an air run (dry_run) leave it off.\n" : "    ! Stop the process here.\n";
   if (!options.process_signal.empty()) {
     const std::string set = "SetDO " + options.process_signal + "," + (on ? "1" : "0") + ";\n";
     module += on ? "    IF NOT dry_run THEN\n      " + set + "    ENDIF\n" : "    " + set;
@@ -154,9 +157,9 @@ std::vector<std::vector<Routine>> parts(const ProgramInput& input, const std::ve
       in_module = 0;
     }
     in_module += end - begin;
-    modules.back().push_back({rapidName("s" + std::to_string(segment) + "_", input.path.segments[segment].name,
-                                        "_" + std::to_string(chunk)),
-                              begin, end});
+    modules.back().push_back(
+        {rapidName("s" + std::to_string(segment) + "_", input.path.segments[segment].name, "_" + std::to_string(chunk)),
+         begin, end});
   }
   return modules;
 }

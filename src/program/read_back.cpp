@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/program/program.h"
@@ -11,17 +12,14 @@
 namespace scan_to_path::program {
 namespace {
 
-constexpr double right_angle = 1.5707963267948966;
-constexpr double degrees_per_radian = 57.29577951308232;
-
 // The bars: what a program may differ from the plan by.
-constexpr double position_limit = 1e-6;                          // [m]
-constexpr double angle_limit = 0.001 / degrees_per_radian;       // [rad]
-constexpr double feed_limit = 1e-6;                              // [m/s]
-constexpr double axis_limit = 1e-5 / degrees_per_radian;         // [rad]: ten times the last digit written
+constexpr double position_limit = 1e-6;                     // [m]
+constexpr double angle_limit = 0.001 / degrees_per_radian;  // [rad]
+constexpr double feed_limit = 1e-6;                         // [m/s]
+constexpr double axis_limit = 1e-5 / degrees_per_radian;    // [rad]: ten times the last digit written
 // Planned joint angles may miss the pose by 1 um and 0.001 degree; at 0.5 m of tool that turn moves the TCP by 9 um.
-constexpr double start_position_limit = 10e-6;                   // [m]
-constexpr double start_angle_limit = 2.0 * angle_limit;          // [rad]
+constexpr double start_position_limit = 10e-6;           // [m]
+constexpr double start_angle_limit = 2.0 * angle_limit;  // [rad]
 
 /// Angle between two rotations [rad] from the distance of their matrices: |A - B| = 2 sqrt(2) sin(angle / 2).
 double rotationDistance(const Frame& a, const Frame& b) {
@@ -124,16 +122,19 @@ private:
       report(&at, "feed is " + fixed(move.speed, 6) + " m/s, planned " + fixed(planned, 6) + " m/s", &move);
     }
     if (!(std::abs(move.orientation_speed - input_.options.orientation_speed) <= 1e-4)) {
-      report(&at, "orientation speed is " + fixed(move.orientation_speed, 4) + " rad/s, planned " +
-                      fixed(input_.options.orientation_speed, 4) + " rad/s", &move);
+      report(&at,
+             "orientation speed is " + fixed(move.orientation_speed, 4) + " rad/s, planned " +
+                 fixed(input_.options.orientation_speed, 4) + " rad/s",
+             &move);
     }
   }
 
   void checkProcess(const RapidMove& move, const Expected& at) {
     const bool planned = at.waypoint->process_on;
     if (move.process_on != planned) {
-      report(&at, std::string("process is ") + (move.process_on ? "on" : "off") + ", planned " +
-                      (planned ? "on" : "off"), &move);
+      report(&at,
+             std::string("process is ") + (move.process_on ? "on" : "off") + ", planned " + (planned ? "on" : "off"),
+             &move);
     }
     if (move.after_stop) report(&at, "an unplanned stop is before it", &move);
   }
@@ -144,8 +145,10 @@ private:
     constexpr double digit = 1e-3;  // [s], the last one written
     if (!at.waypoint->process_on || options.process_signal.empty()) return;
     if (!(move.process_wait >= options.process_delay - digit)) {
-      report(&at, "the process runs for " + fixed(move.process_wait, 3) + " s before the tool moves on, planned " +
-                      fixed(options.process_delay, 3) + " s (program.process_delay)", &move);
+      report(&at,
+             "the process runs for " + fixed(move.process_wait, 3) + " s before the tool moves on, planned " +
+                 fixed(options.process_delay, 3) + " s (program.process_delay)",
+             &move);
     }
   }
 
@@ -158,15 +161,18 @@ private:
       const double lower = right_angle * move.configuration[i];
       const double angle = axes[joints[i]];
       if (angle < lower - 1e-6 || angle > lower + right_angle + 1e-6) {
-        report(&at, "quadrant of axis " + std::to_string(joints[i] + 1) + " is " +
-                        std::to_string(move.configuration[i]) + " at " + fixed(degrees_per_radian * angle, 3) + " deg",
+        report(&at,
+               "quadrant of axis " + std::to_string(joints[i] + 1) + " is " + std::to_string(move.configuration[i]) +
+                   " at " + fixed(degrees_per_radian * angle, 3) + " deg",
                &move);
       }
     }
     const bool negative = move.configuration[3] % 2 != 0;
     if (std::abs(axes[4]) > 1e-6 && negative != (axes[4] < 0.0)) {
-      report(&at, "cfx " + std::to_string(move.configuration[3]) + " does not fit axis 5 at " +
-                      fixed(degrees_per_radian * axes[4], 3) + " deg", &move);
+      report(&at,
+             "cfx " + std::to_string(move.configuration[3]) + " does not fit axis 5 at " +
+                 fixed(degrees_per_radian * axes[4], 3) + " deg",
+             &move);
     }
     checkRanges(move, at, axes);
   }
@@ -180,9 +186,11 @@ private:
       const double lower = is_coupled ? coupled->lower : joint.lower;
       const double upper = is_coupled ? coupled->upper : joint.upper;
       if (axes[i] >= lower && axes[i] <= upper) continue;
-      report(&at, "axis " + std::to_string(i + 1) + " would stand at " + fixed(degrees_per_radian * axes[i], 3) +
-                      " deg on the controller, limits " + fixed(degrees_per_radian * lower, 1) + " and " +
-                      fixed(degrees_per_radian * upper, 1) + " deg", &move);
+      report(&at,
+             "axis " + std::to_string(i + 1) + " would stand at " + fixed(degrees_per_radian * axes[i], 3) +
+                 " deg on the controller, limits " + fixed(degrees_per_radian * lower, 1) + " and " +
+                 fixed(degrees_per_radian * upper, 1) + " deg",
+             &move);
     }
   }
 
@@ -201,8 +209,10 @@ private:
     const double rounding = 2e-7;
     if (moves[m].zone * sine_half > tolerance + rounding ||
         moves[m].zone > 0.5 * std::min(in.norm(), out.norm()) + rounding) {
-      report(&at, "zone of " + fixed(1e3 * moves[m].zone, 3) + " mm leaves the path by more than " +
-                      fixed(1e6 * tolerance, 1) + " um or meets its neighbour", &moves[m]);
+      report(&at,
+             "zone of " + fixed(1e3 * moves[m].zone, 3) + " mm leaves the path by more than " +
+                 fixed(1e6 * tolerance, 1) + " um or meets its neighbour",
+             &moves[m]);
     }
   }
 
@@ -215,8 +225,10 @@ private:
     if (const auto& coupled = input_.robot.coupled_axis) q[coupled->axis] -= otherJoints(*coupled, q);
     for (int i = 0; i < 6; ++i) {
       if (!(std::abs(q[i] - (*at.q)[i]) <= axis_limit)) {
-        report(&at, "start angle of joint " + std::to_string(i + 1) + " is " + fixed(degrees_per_radian * q[i], 6) +
-                        " deg, planned " + fixed(degrees_per_radian * (*at.q)[i], 6) + " deg", &move);
+        report(&at,
+               "start angle of joint " + std::to_string(i + 1) + " is " + fixed(degrees_per_radian * q[i], 6) +
+                   " deg, planned " + fixed(degrees_per_radian * (*at.q)[i], 6) + " deg",
+               &move);
       }
     }
     checkStartPose(move, at, q);
@@ -230,8 +242,10 @@ private:
     const double distance = (reached.translation() - target.translation()).norm();
     const double angle = rotationDistance(reached, target);
     if (!(distance <= start_position_limit && angle <= start_angle_limit)) {
-      report(&at, "start angles put the tool " + fixed(1e6 * distance, 3) + " um and " +
-                      fixed(degrees_per_radian * angle, 5) + " deg off the first target", &move);
+      report(&at,
+             "start angles put the tool " + fixed(1e6 * distance, 3) + " um and " +
+                 fixed(degrees_per_radian * angle, 5) + " deg off the first target",
+             &move);
     }
   }
 

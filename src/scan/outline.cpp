@@ -43,7 +43,7 @@ std::vector<std::vector<Span>> rowSpans(const SampleRows& rows) {
   return spans;
 }
 
-bool overlap(const Span& a, const Span& b) { return std::min(a.end, b.end) > std::max(a.begin, b.begin); }
+bool touch(const Span& a, const Span& b) { return std::min(a.end, b.end) > std::max(a.begin, b.begin); }
 
 /// Whether a straight edge between the rows may join two ends: one that runs nearly along the rows would take in a
 /// long stretch that only one of the rows has seen.
@@ -59,10 +59,10 @@ std::vector<Edge> quadrilateral(int row, const std::vector<Span>& lower, std::si
                                 std::size_t b) {
   const bool left_far = !joinsStraight(lower[a].begin, lower[a].y_begin, upper[b].begin, upper[b].y_begin);
   const bool right_far = !joinsStraight(lower[a].end, lower[a].y_end, upper[b].end, upper[b].y_end);
-  const bool left_shared = left_far || (b > 0 && overlap(lower[a], upper[b - 1])) ||
-                           (a > 0 && overlap(lower[a - 1], upper[b]));
-  const bool right_shared = right_far || (b + 1 < upper.size() && overlap(lower[a], upper[b + 1])) ||
-                            (a + 1 < lower.size() && overlap(lower[a + 1], upper[b]));
+  const bool left_shared =
+      left_far || (b > 0 && touch(lower[a], upper[b - 1])) || (a > 0 && touch(lower[a - 1], upper[b]));
+  const bool right_shared = right_far || (b + 1 < upper.size() && touch(lower[a], upper[b + 1])) ||
+                            (a + 1 < lower.size() && touch(lower[a + 1], upper[b]));
   const double left = std::max(lower[a].begin, upper[b].begin);
   const double right = std::min(lower[a].end, upper[b].end);
   const Corner lower_left(row, left_shared ? left : lower[a].begin);
@@ -148,7 +148,7 @@ Outline traceOutline(const SampleRows& rows) {
   for (std::size_t r = 0; r + 1 < spans.size(); ++r) {
     for (std::size_t a = 0; a < spans[r].size(); ++a) {
       for (std::size_t b = 0; b < spans[r + 1].size(); ++b) {
-        if (!overlap(spans[r][a], spans[r + 1][b])) continue;
+        if (!touch(spans[r][a], spans[r + 1][b])) continue;
         const auto quad = quadrilateral(static_cast<int>(r), spans[r], a, spans[r + 1], b);
         along[r].push_back(quad[0]);
         edges.push_back(quad[1]);
@@ -187,7 +187,9 @@ OutlineTest::OutlineTest(const Outline& outline) {
   }
   const std::size_t bins = std::max<std::size_t>(1, all.size());
   bins_per_metre_ = y_max > y_min_ ? static_cast<double>(bins) / (y_max - y_min_) : 0.0;
-  const auto bin = [&](double y) { return std::min(bins - 1, static_cast<std::size_t>((y - y_min_) * bins_per_metre_)); };
+  const auto bin = [&](double y) {
+    return std::min(bins - 1, static_cast<std::size_t>((y - y_min_) * bins_per_metre_));
+  };
   first_.assign(bins + 1, 0);
   for (const Edge& edge : all) {
     for (std::size_t b = bin(edge.y_low); b <= bin(edge.y_high); ++b) ++first_[b + 1];

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::toolpath {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double largest_angle = 80.0 * pi / 180.0;
 
 void checkAngle(const char* name, double angle) {

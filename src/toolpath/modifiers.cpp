@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/toolpath/contact_frame.h"
 
 namespace scan_to_path::toolpath {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double largest_turn = pi / 4.0;  // per waypoint of a link [rad]
 
 Waypoint airWaypoint(const Frame& pose, double feed) {

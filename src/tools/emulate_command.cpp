@@ -26,7 +26,7 @@ struct EmulateFlags {
   std::string out;
 };
 
-void addFlags(CLI::App& command, EmulateFlags& flags) {
+void addEmulateFlags(CLI::App& command, EmulateFlags& flags) {
   command.add_option("--workpiece", flags.workpiece, "mesh to scan (PLY, STL, OBJ, OFF); default: the S part")
       ->type_name("FILE");
   command.add_option("--units", flags.units, "of the mesh: m (default), mm or inch");
@@ -98,7 +98,7 @@ int emulate(const EmulateFlags& flags) {
 std::function<int()> addEmulateCommand(CLI::App& app) {
   const auto flags = std::make_shared<EmulateFlags>();
   CLI::App* command = app.add_subcommand("emulate", "Scan a part with an emulated point laser on the robot");
-  addFlags(*command, *flags);
+  addEmulateFlags(*command, *flags);
   command->footer("Example: scan_to_path emulate --errors realistic --seed 1 --out samples.csv");
   return [flags] { return emulate(*flags); };
 }

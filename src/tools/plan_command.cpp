@@ -27,24 +27,29 @@ struct PlanFlags {
   std::string out;
 };
 
-void addFlags(CLI::App& command, PlanFlags& flags) {
+void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--process", flags.process, "what is done to the part: cutting")->capture_default_str();
-  command.add_option("--input", flags.input, "sample log, or a scan cloud as PCD or PLY; told by content")->type_name("FILE");
+  command.add_option("--input", flags.input, "sample log, or a scan cloud as PCD or PLY; told by content")
+      ->type_name("FILE");
   command.add_option("--input-kind", flags.input_kind, "insist: samples, cloud, mesh or cad");
   command.add_option("--units", flags.units, "of a cloud: m (default), mm or inch");
   command.add_option("--stop-after", flags.stop_after, "scan, fit, path, motion or program")->capture_default_str();
-  command.add_option("--controller", flags.controllers, "abb or pulses (repeatable; default both)")->allow_extra_args(false);
+  command.add_option("--controller", flags.controllers, "abb or pulses (repeatable; default both)")
+      ->allow_extra_args(false);
   command.add_flag("--allow-partial", flags.allow_partial,
                    "leave out waypoints that fail and write a program of the rest; exit status stays 1");
-  command.add_option("--reference", flags.reference,
-                     "true surface to measure the finished path against: a mesh in metres in the workpiece frame, or s_part")
+  command
+      .add_option(
+          "--reference", flags.reference,
+          "true surface to measure the finished path against: a mesh in metres in the workpiece frame, or s_part")
       ->type_name("FILE");
   command.add_option("--seed", flags.seed, "of random choices; in the report")->capture_default_str();
   command.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
   flags.common.addTo(command);
 }
 
-std::shared_ptr<const geometry::Surface> referenceSurface(const std::string& name, const pipeline::MountOptions& mount) {
+std::shared_ptr<const geometry::Surface> referenceSurface(const std::string& name,
+                                                          const pipeline::MountOptions& mount) {
   if (name.empty()) return nullptr;
   const Workpiece part = name == "s_part" ? sPart() : readWorkpiece(name, std::nullopt, std::nullopt);
   return std::make_shared<geometry::PosedSurface>(part.surface, geometry::makeFrame(mount.xyz, mount.rpy));
@@ -63,7 +68,8 @@ pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOpti
   request.seed = flags.seed;
   request.out = flags.out.empty() ? "out/" + flags.process : flags.out;
   if (!flags.controllers.empty()) request.outputs.clear();
-  for (const auto& name : flags.controllers) request.outputs.push_back(parseEnum<pipeline::Output>("--controller", name));
+  for (const auto& name : flags.controllers)
+    request.outputs.push_back(parseEnum<pipeline::Output>("--controller", name));
   request.package_path = flags.common.packagePath();
   request.reference = referenceSurface(flags.reference, options.cell.workpiece);
   return request;
@@ -92,10 +98,11 @@ int plan(const PlanFlags& flags) {
 std::function<int()> addPlanCommand(CLI::App& app) {
   const auto flags = std::make_shared<PlanFlags>();
   CLI::App* command = app.add_subcommand("plan", "From a scan to a robot program");
-  addFlags(*command, *flags);
+  addPlanFlags(*command, *flags);
   command->footer(
       "Exit status: 0 every waypoint planned and verified; 1 planned, but a waypoint or a tolerance fails (then no\n"
-      "program is written, unless only waypoints fail and --allow-partial leaves them out); 2 bad input or configuration; 3 a bug; 130 interrupted.\n\n"
+      "program is written, unless only waypoints fail and --allow-partial leaves them out); 2 bad input or "
+      "configuration; 3 a bug; 130 interrupted.\n\n"
       "Example: scan_to_path plan --process cutting --input samples.csv --set path.scallop_height=5e-5");
   return [flags] { return plan(*flags); };
 }

@@ -11,7 +11,7 @@
 namespace scan_to_path::pipeline {
 namespace {
 
-double figure(const std::vector<Accuracy>& figures, const std::string& name) {
+double valueOf(const std::vector<Accuracy>& figures, const std::string& name) {
   for (const auto& candidate : figures) {
     if (candidate.name == name) return candidate.value;
   }
@@ -38,12 +38,12 @@ TEST_F(ReferenceStage, MeasuresPathNormalsAndScallops) {
   const JobOptions options;
   const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, 1);
   // 2 um of noise over 1,200 samples and about ten control points a row.
-  EXPECT_LT(figure(figures, "reference_path_rms"), 1e-6);
-  EXPECT_LT(figure(figures, "reference_normal_mean"), 0.02 * M_PI / 180.0);
+  EXPECT_LT(valueOf(figures, "reference_path_rms"), 1e-6);
+  EXPECT_LT(valueOf(figures, "reference_normal_mean"), 0.02 * M_PI / 180.0);
   // The planner's promise, plus the path's own error of less than 1 um.
-  EXPECT_LE(figure(figures, "reference_scallop_largest"), options.path.scallop_height + 1e-6);
-  EXPECT_GE(figure(figures, "reference_scallop_largest"), 0.85 * options.path.scallop_height);
-  EXPECT_LT(figure(figures, "reference_deepest_cut"), 5e-6);
+  EXPECT_LE(valueOf(figures, "reference_scallop_largest"), options.path.scallop_height + 1e-6);
+  EXPECT_GE(valueOf(figures, "reference_scallop_largest"), 0.85 * options.path.scallop_height);
+  EXPECT_LT(valueOf(figures, "reference_deepest_cut"), 5e-6);
 }
 
 TEST_F(ReferenceStage, SeesADroppedRow) {
@@ -55,7 +55,7 @@ TEST_F(ReferenceStage, SeesADroppedRow) {
     }
   }
   const auto figures = compareWithReference(path, scan_, options.path, *reference_, 1);
-  EXPECT_GT(figure(figures, "reference_scallop_largest"), 3.0 * options.path.scallop_height);
+  EXPECT_GT(valueOf(figures, "reference_scallop_largest"), 3.0 * options.path.scallop_height);
 }
 
 TEST_F(ReferenceStage, SameForAnyNumberOfThreads) {

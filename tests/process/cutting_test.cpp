@@ -18,9 +18,11 @@ namespace {
 
 using toolpath::Segment;
 
-const geometry::Rectangle area = {0.0, 0.1, 0.0, 0.06};
+const geometry::Rectangle plate = {0.0, 0.1, 0.0, 0.06};
 
-scan::FittedScan plane() { return test::fittedScan([](double, double) { return 0.01; }, area, 0.004, 8, 8); }
+scan::FittedScan platePlane() {
+  return test::fittedScan([](double, double) { return 0.01; }, plate, 0.004, 8, 8);
+}
 
 PlannedPath planned(const scan::FittedScan& scan, const CuttingOptions& options = {}) {
   return makeCuttingPlanner(options)->plan({&scan, "base_link"}, {});
@@ -81,9 +83,9 @@ TEST(Cutting, MovesWithTheScan) {
 
 TEST(Cutting, ZigZagTurnsEveryOtherRowRound) {
   CuttingOptions options;
-  const auto to_and_fro = rowsOf(planned(plane(), options));
+  const auto to_and_fro = rowsOf(planned(platePlane(), options));
   options.row_order = RowOrder::one_way;
-  const auto one_way = rowsOf(planned(plane(), options));
+  const auto one_way = rowsOf(planned(platePlane(), options));
   ASSERT_EQ(to_and_fro.size(), one_way.size());
   for (std::size_t i = 0; i < one_way.size(); ++i) {
     EXPECT_GT(one_way[i].waypoints[2].pose.linear()(0, 0), 0.99);
@@ -106,7 +108,7 @@ TEST(Cutting, HasOneConstantToolFrame) {
   CuttingOptions options;
   options.lead = 0.2;
   options.tilt = -0.1;
-  const PlannedPath plan = planned(plane(), options);
+  const PlannedPath plan = planned(platePlane(), options);
   EXPECT_EQ((plan.path.T_contact_tcp.matrix() - toolpath::ballToolFrame({0.02, 0.2, -0.1}).matrix()).norm(), 0.0);
 }
 
@@ -114,7 +116,7 @@ TEST(Cutting, TakesTheStockOffInConstantSteps) {
   CuttingOptions options;
   options.stock = 0.003;
   options.depth_of_cut = 0.001;
-  const PlannedPath plan = planned(plane(), options);
+  const PlannedPath plan = planned(platePlane(), options);
   const auto rows = rowsOf(plan);
   const std::size_t per_pass = rows.size() / 3;
   ASSERT_EQ(rows.size() % 3, 0U);
@@ -133,7 +135,7 @@ TEST(Cutting, NoPassTakesMoreThanTheDepthOfCut) {
   CuttingOptions options;
   options.stock = 0.0025;
   options.depth_of_cut = 0.001;
-  const auto rows = rowsOf(planned(plane(), options));
+  const auto rows = rowsOf(planned(platePlane(), options));
   EXPECT_EQ(rows.back().name.substr(0, 7), "pass_2_");
   EXPECT_NEAR(rows.front().waypoints[3].pose.translation().z(), 0.01 + 0.0025 * 2.0 / 3.0, 1e-12);
 }
@@ -141,7 +143,7 @@ TEST(Cutting, NoPassTakesMoreThanTheDepthOfCut) {
 TEST(Cutting, KeepsAndReportsGouges) {
   // A groove whose bottom has a radius of 6 mm, under a ball of 20 mm and one of 4 mm.
   const auto groove = [](double x, double) { return -0.012 * std::exp(-std::pow((x - 0.05) / 0.012, 2)); };
-  const auto scan = test::fittedScan(groove, area, 0.004, 200, 8);
+  const auto scan = test::fittedScan(groove, plate, 0.004, 200, 8);
   const PlannedPath plan = planned(scan);
   EXPECT_GT(plan.findings.size(), 100U);
   EXPECT_EQ(figure(plan, "gouges"), static_cast<double>(plan.findings.size()));
@@ -156,7 +158,7 @@ TEST(Cutting, KeepsAndReportsGouges) {
 }
 
 TEST(Cutting, AHolesRowsAreNamedByPiece) {
-  auto scan = plane();
+  auto scan = platePlane();
   scan.outline.polygons.push_back({{0.04, 0.02}, {0.04, 0.04}, {0.06, 0.04}, {0.06, 0.02}});
   std::vector<std::string> names;
   for (const Segment& row : rowsOf(planned(scan))) names.push_back(row.name);
@@ -172,7 +174,7 @@ TEST(Cutting, AHolesRowsAreNamedByPiece) {
 TEST(Cutting, SumsUpTheTravel) {
   CuttingOptions options;
   options.leads.length = 0.0;
-  const PlannedPath plan = planned(plane(), options);
+  const PlannedPath plan = planned(platePlane(), options);
   EXPECT_NEAR(figure(plan, "cutting_length"), 0.099 * figure(plan, "rows"), 1e-4);
   EXPECT_GT(figure(plan, "path_length"), figure(plan, "cutting_length"));
   EXPECT_GT(figure(plan, "time"), figure(plan, "cutting_length") / options.feed);

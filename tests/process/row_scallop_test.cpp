@@ -14,7 +14,7 @@ namespace {
 
 constexpr double radius = 0.02;
 constexpr double h = 1e-4;
-const geometry::Rectangle area = {0.0, 0.05, -0.02, 0.02};
+const geometry::Rectangle trough = {0.0, 0.05, -0.02, 0.02};
 
 /// A row along x at angle `across` round a cylinder of signed radius rho with its axis along x, top at z = 0.
 Row cylinderRow(double rho, double across, double x_begin = 0.0, double x_end = 0.05) {
@@ -34,7 +34,7 @@ test::Height cylinder(double rho) {
 }
 
 TEST(RowScallop, IsThePlanesHeight) {
-  const auto surface = test::heightSurface([](double, double) { return 0.0; }, area, 6, 6);
+  const auto surface = test::heightSurface([](double, double) { return 0.0; }, trough, 6, 6);
   const double L = toolpath::rowDistance(h, radius, 0.0);
   Row a = cylinderRow(1e9, 0.0);
   Row b = a;
@@ -44,7 +44,7 @@ TEST(RowScallop, IsThePlanesHeight) {
 
 TEST(RowScallop, IsTheExactRulesHeightOnConvexAndHollowCylinders) {
   for (const double rho : {0.05, 0.1, 0.5, -0.05, -0.1, -0.5}) {
-    const auto surface = test::heightSurface(cylinder(rho), area, 6, 200);
+    const auto surface = test::heightSurface(cylinder(rho), trough, 6, 200);
     const double L = toolpath::rowDistance(h, radius, 1.0 / rho);
     const double start = -0.005 / rho;
     const auto height = widestScallop(cylinderRow(rho, start), cylinderRow(rho, start + L / rho),
@@ -60,14 +60,14 @@ TEST(RowScallop, IsTheExactRulesHeightOnConvexAndHollowCylinders) {
 }
 
 TEST(RowScallop, DoesNotDependOnWhichRowComesFirst) {
-  const auto surface = test::heightSurface(cylinder(0.1), area, 6, 200);
+  const auto surface = test::heightSurface(cylinder(0.1), trough, 6, 200);
   const toolpath::ScanSurface heights(surface);
   const Row a = cylinderRow(0.1, 0.0), b = cylinderRow(0.1, 0.04);
   EXPECT_NEAR(*widestScallop(a, b, heights, radius), *widestScallop(b, a, heights, radius), 1e-12);
 }
 
 TEST(RowScallop, IsNothingWhereRowsDoNotRunSideBySide) {
-  const auto surface = test::heightSurface(cylinder(0.1), area, 6, 50);
+  const auto surface = test::heightSurface(cylinder(0.1), trough, 6, 50);
   const toolpath::ScanSurface heights(surface);
   EXPECT_FALSE(widestScallop(cylinderRow(0.1, 0.0, 0.0, 0.02), cylinderRow(0.1, 0.04, 0.03, 0.05), heights, radius));
   EXPECT_FALSE(widestScallop(std::vector<Row>{}, {cylinderRow(0.1, 0.0)}, heights, radius));
@@ -76,7 +76,7 @@ TEST(RowScallop, IsNothingWhereRowsDoNotRunSideBySide) {
 }
 
 TEST(RowScallop, IsInfiniteWhereTheBallsDoNotMeet) {
-  const auto surface = test::heightSurface([](double, double) { return 0.0; }, area, 6, 6);
+  const auto surface = test::heightSurface([](double, double) { return 0.0; }, trough, 6, 6);
   Row a = cylinderRow(1e9, 0.0);
   Row b = a;
   for (RowPoint& p : b.points) p.point.y() = 0.041;

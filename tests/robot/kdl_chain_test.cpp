@@ -11,7 +11,7 @@
 namespace scan_to_path::robot {
 namespace {
 
-constexpr double rounding = 1e-14;  // a dozen products of numbers about 1
+constexpr double chain_rounding = 1e-14;  // a dozen products of numbers about 1
 
 Frame kdlForward(const Robot& robot, const JointVector& q) {
   KDL::JntArray angles(static_cast<unsigned>(robot.dof()));
@@ -27,7 +27,7 @@ TEST(KdlChain, MovesAsTheDenavitHartenbergProduct) {
   Random random(4);
   for (int k = 0; k < 200; ++k) {
     const JointVector q = test::randomJoints(robot, random);
-    EXPECT_TRUE(kdlForward(robot, q).isApprox(test::denavitHartenberg(q.data()), 100 * rounding)) << "case " << k;
+    EXPECT_TRUE(kdlForward(robot, q).isApprox(test::denavitHartenberg(q.data()), 100 * chain_rounding)) << "case " << k;
   }
 }
 
@@ -41,7 +41,7 @@ TEST(KdlChain, SeesAFlippedAxis) {
 
 TEST(KdlChain, FramesGoThereAndBack) {
   const Frame T = geometry::makeFrame({0.1, -0.2, 0.3}, {0.4, -0.5, 0.6});
-  EXPECT_TRUE(fromKdl(toKdl(T)).isApprox(T, rounding));
+  EXPECT_TRUE(fromKdl(toKdl(T)).isApprox(T, chain_rounding));
 }
 
 }  // namespace

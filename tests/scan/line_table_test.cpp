@@ -13,12 +13,12 @@
 namespace scan_to_path::scan {
 namespace {
 
-double wave(double x, double y) { return 0.01 * std::sin(40.0 * x) + 0.2 * y; }
+double tiltedWave(double x, double y) { return 0.01 * std::sin(40.0 * x) + 0.2 * y; }
 
 /// A line over 0.1 m in a turned frame, its knots of uneven width and one of them double.
 FittedLine unevenLine(const Frame& T) {
   FittedLine line;
-  line.curve = test::heightLine(wave, 0.0, 0.1, 0.02, 12, T);
+  line.curve = test::heightLine(tiltedWave, 0.0, 0.1, 0.02, 12, T);
   for (const double u : {0.013, 0.0131, 0.05, 0.05, 0.07}) line.curve = nurbs::insertKnot(line.curve, u);
   line.begin = 0.004;
   line.end = 0.093;
