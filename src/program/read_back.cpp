@@ -16,7 +16,8 @@ namespace {
 constexpr double position_limit = 1e-6;                     // [m]
 constexpr double angle_limit = 0.001 / degrees_per_radian;  // [rad]
 constexpr double feed_limit = 1e-6;                         // [m/s]
-constexpr double axis_limit = 1e-5 / degrees_per_radian;    // [rad]: ten times the last digit written
+// Half the last bit of a 32-bit number of 256 to 512 degrees is 1.5e-5 degrees, half the last digit written 5e-7.
+constexpr double axis_limit = 2e-5 / degrees_per_radian;  // [rad]
 // Planned joint angles may miss the pose by 1 um and 0.001 degree; at 0.5 m of tool that turn moves the TCP by 9 um.
 constexpr double start_position_limit = 10e-6;           // [m]
 constexpr double start_angle_limit = 2.0 * angle_limit;  // [rad]

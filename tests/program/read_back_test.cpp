@@ -215,7 +215,7 @@ std::vector<ProgramFile> inSinglePrecision(std::vector<ProgramFile> files) {
 
 // A float has 24 bits: 6e-5 mm at 1 m, 4e-6 degrees at 100 degrees.
 TEST(ReadBack, SinglePrecisionControllersStayWithinTheBars) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto input = seededInput(seed);
     EXPECT_EQ(textsOf(input, inSinglePrecision(written(input))), "") << "seed " << seed;
   }
