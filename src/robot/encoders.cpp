@@ -27,19 +27,26 @@ bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 bool isSign(double value) { return value == 1.0 || value == -1.0; }
 bool isFinite(double value) { return std::isfinite(value); }
 
-/// L^-1: the controller's axes from the joints.
-Eigen::MatrixXd axesFromJoints(const Robot& robot) {
-  Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(robot.dof(), robot.dof());
+/// The controller's axes from the joints (sign +1: L^-1), or the joints from the axes (sign -1: L), which differ only
+/// in whether the coupled axis adds the other joints or takes them off.
+JointMatrix coupledAxes(const Robot& robot, double sign) {
+  JointMatrix axes = JointMatrix::Identity();
   if (!robot.coupled_axis) return axes;
-  for (const int joint : robot.coupled_axis->joints) axes(robot.coupled_axis->axis, joint) = 1.0;
+  const int axis = robot.coupled_axis->axis;
+  for (const int joint : robot.coupled_axis->joints) {
+    if (joint != axis) axes(axis, joint) = sign;
+  }
   return axes;
 }
 
-Eigen::MatrixXd couplingMatrix(const std::vector<double>& values, int joints) {
-  if (values.empty()) return Eigen::MatrixXd::Identity(joints, joints);
+JointMatrix couplingMatrix(const std::vector<double>& values, int joints) {
+  JointMatrix C = JointMatrix::Identity();
+  if (values.empty()) return C;
   checkList(values, static_cast<std::size_t>(joints * joints), "coupling", "finite", isFinite);
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(values.data(), joints, joints);
+  for (int i = 0; i < joints; ++i) {
+    for (int k = 0; k < joints; ++k) C(i, k) = values[static_cast<std::size_t>(i * joints + k)];
+  }
+  return C;
 }
 
 }  // namespace
@@ -51,33 +58,32 @@ Encoders::Encoders(const EncoderOptions& options, const Robot& robot) {
   checkList(options.gear_ratio, n, "gear_ratio", "> 0", isPositive);
   checkList(options.sign, n, "sign", "+1 or -1", isSign);
   checkList(options.offset, n, "offset", "finite", isFinite);
-  const Eigen::MatrixXd C = couplingMatrix(options.coupling, joints);
-  const Eigen::FullPivLU<Eigen::MatrixXd> decomposition(C);
+  const JointMatrix C = couplingMatrix(options.coupling, joints);
+  const Eigen::FullPivLU<JointMatrix> decomposition(C);
   if (!decomposition.isInvertible()) throw InputError("encoders.coupling", "matrix", "singular", "invertible");
 
-  Eigen::VectorXd angle_per_count(joints);
+  Eigen::Matrix<double, max_joints, 1> angle_per_count = Eigen::Matrix<double, max_joints, 1>::Ones();
   for (int i = 0; i < joints; ++i) {
     const auto k = static_cast<std::size_t>(i);
     angle_per_count[i] = options.sign[k] * 2.0 * M_PI / (options.counts_per_turn[k] * options.gear_ratio[k]);
   }
   // Spec cutting, step 1: theta = C diag(sign 2 pi / (counts gear)) pulses + offset, its C being L times
   // options.coupling.
-  const Eigen::MatrixXd axes = axesFromJoints(robot);
-  angles_from_counts_ = axes.inverse() * C * angle_per_count.asDiagonal();
-  counts_from_angles_ = angle_per_count.cwiseInverse().asDiagonal() * decomposition.inverse() * axes;
+  angles_from_counts_ = coupledAxes(robot, -1.0) * C * angle_per_count.asDiagonal();
+  counts_from_angles_ = angle_per_count.cwiseInverse().asDiagonal() * decomposition.inverse() * coupledAxes(robot, 1.0);
   offset_ = Eigen::Map<const Eigen::VectorXd>(options.offset.data(), joints);
 }
 
 JointVector Encoders::angles(const double* counts) const {
+  const auto joints = offset_.size();
   JointVector q = offset_;
-  q.noalias() += angles_from_counts_ * Eigen::Map<const Eigen::VectorXd>(counts, offset_.size());
+  q.noalias() += angles_from_counts_.topLeftCorner(joints, joints) * Eigen::Map<const Eigen::VectorXd>(counts, joints);
   return q;
 }
 
 JointVector Encoders::counts(const JointVector& angles) const {
-  JointVector counts(offset_.size());
-  counts.noalias() = counts_from_angles_ * (angles - offset_);
-  return counts;
+  const auto joints = offset_.size();
+  return counts_from_angles_.topLeftCorner(joints, joints) * (angles - offset_);
 }
 
 double unwrapCount(double previous, double raw) {

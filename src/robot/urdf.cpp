@@ -18,7 +18,6 @@ namespace scan_to_path::robot {
 
 namespace {
 
-constexpr std::size_t max_joints = 8;
 constexpr int max_depth = 100;  // urdfdom's XML reader recurses per element and would run out of stack
 
 /// Collects what urdfdom would print.
@@ -225,7 +224,7 @@ Robot robotOf(const urdf::ModelInterface& model, const std::string& base_link, c
     robot.joints.push_back(movableJoint(*joint, robot.T_last_tip));
     robot.T_last_tip.setIdentity();
   }
-  if (robot.joints.empty() || robot.joints.size() > max_joints) {
+  if (robot.joints.empty() || robot.joints.size() > static_cast<std::size_t>(max_joints)) {
     throw InputError("robot " + printable(robot.name), "number of movable joints from " + base_link + " to " + tip_link,
                      std::to_string(robot.joints.size()), "in [1, " + std::to_string(max_joints) + "]");
   }

@@ -39,7 +39,7 @@ robot::JointVector refined(const robot::Robot& robot, const Frame& T_base_tip, r
     Eigen::Matrix<double, 6, 1> twist;
     twist.head<3>() = T_base_tip.translation() - T.translation();
     twist.tail<3>() = 0.5 * Vector3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-    const Eigen::MatrixXd J = robot::jacobian(robot, q);
+    const auto J = robot::jacobian(robot, q);
     q += J.completeOrthogonalDecomposition().solve(twist);
   }
   return q;

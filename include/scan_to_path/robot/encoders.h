@@ -44,8 +44,8 @@ public:
   JointVector counts(const JointVector& angles) const;  ///< not rounded
 
 private:
-  Eigen::MatrixXd angles_from_counts_;
-  Eigen::MatrixXd counts_from_angles_;
+  JointMatrix angles_from_counts_;
+  JointMatrix counts_from_angles_;
   JointVector offset_;
 };
 

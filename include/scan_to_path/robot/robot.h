@@ -15,8 +15,13 @@ namespace scan_to_path::robot {
 using geometry::Frame;
 using geometry::Vector3;
 
-/// One value per movable joint, base to tip [rad]. At most eight joints, so it never allocates.
-using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
+constexpr int max_joints = 8;
+
+/// One value per movable joint, base to tip [rad]. It never allocates.
+using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_joints, 1>;
+
+/// From joints to joints, in its upper left corner; identity beyond.
+using JointMatrix = Eigen::Matrix<double, max_joints, max_joints>;
 
 /// A revolute joint of the chain.
 struct Joint {
