@@ -97,6 +97,13 @@ void setZones(const ProgramInput& input, std::vector<PlannedMove>& moves) {
   }
 }
 
+/// What works in a segment runs before the tool comes down to it and until the tool has left it: a tool that stands
+/// still must not touch the part, nor dwell on it while it speeds up.
+bool processRuns(const toolpath::Segment& segment) {
+  return std::any_of(segment.waypoints.begin(), segment.waypoints.end(),
+                     [](const auto& waypoint) { return waypoint.process_on; });
+}
+
 }  // namespace
 
 std::string waypointLabel(const toolpath::ToolPath& path, int segment, int index) {
@@ -116,6 +123,7 @@ std::vector<PlannedMove> plannedMoves(const ProgramInput& input) {
   moves.reserve(input.plan.trajectory.points.size());
   for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
     const auto& waypoints = input.path.segments[s].waypoints;
+    const bool process_on = processRuns(input.path.segments[s]);
     for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
       const std::string where = waypointLabel(input.path, s, i);
       checkFrame(waypoints[i].pose, where);
@@ -128,8 +136,7 @@ std::vector<PlannedMove> plannedMoves(const ProgramInput& input) {
         throw InputError(where, "process", "on", "off at the path's first waypoint, which an axis move reaches");
       }
       moves.push_back({s, i, T_workobject_path * waypoints[i].pose * input.path.T_contact_tcp, *q,
-                       first ? input.options.start_speed : waypoints[i].feed,
-                       waypoints[i].process_on, 0.0});
+                       first ? input.options.start_speed : waypoints[i].feed, process_on && !first, 0.0});
     }
   }
   if (moves.empty()) throw InputError("robot program: the path has no waypoint");

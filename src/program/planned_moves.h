@@ -15,7 +15,7 @@ struct PlannedMove {
   Frame T_workobject_tcp = Frame::Identity();
   JointVector q;                               ///< [rad]
   double feed = 0.0;                           ///< [m/s]; of the first move start_speed
-  bool process_on = false;
+  bool process_on = false;                     ///< what works runs while the tool moves here
   double zone = 0.0;                           ///< [m]; 0: stop
 };
 

@@ -40,6 +40,7 @@ struct Expected {
   int index = 0;
   const toolpath::Waypoint* waypoint = nullptr;
   const JointVector* q = nullptr;
+  bool process_on = false;  ///< in a segment that works: before the tool touches until after it has left
 };
 
 /// The path's waypoints with their joint angles (null where the plan has none), in order.
@@ -54,7 +55,14 @@ std::vector<Expected> expectedMoves(const ProgramInput& input) {
       for (; at < points.size() && points[at].segment == s && points[at].index == i; ++at) q = &points[at].q;
       expected.push_back({s, i, &waypoints[i], q});
     }
+    const bool works =
+        std::count_if(waypoints.begin(), waypoints.end(), [](const auto& w) { return w.process_on; }) > 0;
+    for (auto at_row = expected.end() - static_cast<std::ptrdiff_t>(waypoints.size()); at_row != expected.end();
+         ++at_row) {
+      at_row->process_on = works;
+    }
   }
+  if (!expected.empty()) expected.front().process_on = false;  // an axis move leads there
   return expected;
 }
 
@@ -84,7 +92,7 @@ public:
       checkTarget(moves[i + 1], expected[i]);
       checkFeed(moves[i + 1], expected[i], i == 0);
       checkProcess(moves[i + 1], expected[i]);
-      if (i == 0 || !expected[i - 1].waypoint->process_on) checkProcessDelay(moves[i + 1], expected[i]);
+      if (i == 0 || !expected[i - 1].process_on) checkProcessDelay(moves[i + 1], expected[i]);
       checkAxes(moves[i + 1], expected[i]);
       const bool last = i + 1 == expected.size();
       checkZone(i + 1, expected[i], last || expected[i + 1].segment != expected[i].segment);
@@ -131,7 +139,7 @@ private:
   }
 
   void checkProcess(const RapidMove& move, const Expected& at) {
-    const bool planned = at.waypoint->process_on;
+    const bool planned = at.process_on;
     if (move.process_on != planned) {
       report(&at,
              std::string("process is ") + (move.process_on ? "on" : "off") + ", planned " + (planned ? "on" : "off"),
@@ -144,7 +152,7 @@ private:
   void checkProcessDelay(const RapidMove& move, const Expected& at) {
     const auto& options = input_.options;
     constexpr double digit = 1e-3;  // [s], the last one written
-    if (!at.waypoint->process_on || options.process_signal.empty()) return;
+    if (!at.process_on || options.process_signal.empty()) return;
     if (!(move.process_wait >= options.process_delay - digit)) {
       report(&at,
              "the process runs for " + fixed(move.process_wait, 3) + " s before the tool moves on, planned " +
@@ -205,7 +213,7 @@ private:
     const geometry::Vector3 in = moves[m].T_base_tcp.translation() - moves[m - 1].T_base_tcp.translation();
     const geometry::Vector3 out = moves[m + 1].T_base_tcp.translation() - moves[m].T_base_tcp.translation();
     const double sine_half = std::sin(0.5 * geometry::angleBetween(in, out));
-    const double tolerance = at.waypoint->process_on ? input_.options.zone_tolerance : input_.options.air_tolerance;
+    const double tolerance = at.process_on ? input_.options.zone_tolerance : input_.options.air_tolerance;
     // The positions are written to 1e-4 mm: 0.1 um on the way of two neighbours, and on the corner that they form.
     const double rounding = 2e-7;
     if (moves[m].zone * sine_half > tolerance + rounding ||

@@ -69,8 +69,8 @@ TEST(RapidWriter, QuaternionsNearHalfTurns) {
   Random random(8);
   for (int i = 0; i < 200; ++i) {
     auto input = plainInput();
-    const geometry::Vector3 axis = i < 3 ? geometry::Vector3::Unit(i)
-                                         : geometry::Vector3(random.gaussian(), random.gaussian(), random.gaussian());
+    const geometry::Vector3 axis =
+        i < 3 ? geometry::Vector3::Unit(i) : geometry::Vector3(random.gaussian(), random.gaussian(), random.gaussian());
     const double angle = M_PI + (i % 3 - 1) * std::pow(10.0, -random.uniform(1.0, 12.0));
     auto& pose = input.path.segments[0].waypoints[1].pose;
     pose.linear() = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
@@ -80,7 +80,7 @@ TEST(RapidWriter, QuaternionsNearHalfTurns) {
   }
 }
 
-TEST(RapidWriter, StopsAtSegmentEndsAndProcessSwitches) {
+TEST(RapidWriter, StopsAtSegmentEnds) {
   const auto input = seededInput(5);
   const auto program = readRapid(writeRapid(input));
   std::size_t at = 1;
@@ -88,14 +88,33 @@ TEST(RapidWriter, StopsAtSegmentEndsAndProcessSwitches) {
   for (const auto& segment : input.path.segments) {
     for (std::size_t i = 0; i < segment.waypoints.size(); ++i, ++at) {
       const bool end = i + 1 == segment.waypoints.size();
-      const bool switched = !end && segment.waypoints[i + 1].process_on != segment.waypoints[i].process_on;
-      if (end || switched) {
+      if (end) {
         EXPECT_TRUE(program.moves[at].stop) << segment.name << " " << i;
       }
       blends += program.moves[at].stop ? 0 : 1;
     }
   }
   EXPECT_GT(blends, 60);
+}
+
+// A spindle that stands, or speeds up on the part, spoils it: it runs before the tool comes down and until it is off.
+TEST(RapidWriter, TheProcessRunsFromBeforeARowUntilAfterIt) {
+  auto input = seededInput(7, 2, 12);
+  input.options.process_signal = "do_spindle";
+  const auto files = writeRapid(input);
+  const auto program = readRapid(files);
+  std::size_t at = 1;
+  for (const auto& segment : input.path.segments) {
+    const bool row = segment.name.rfind("row", 0) == 0;
+    for (std::size_t i = 0; i < segment.waypoints.size(); ++i, ++at) {
+      EXPECT_EQ(program.moves[at].process_on, row) << segment.name << " " << i;
+    }
+  }
+  const std::string& text = files[1].content;
+  const auto routine = text.find("PROC s1_row_0_1()");
+  ASSERT_NE(routine, std::string::npos);
+  EXPECT_LT(text.find("ProcessOn;", routine), text.find("MoveL", routine)) << "the plunge to the row's first waypoint";
+  EXPECT_TRUE(readBack(Controller::abb, input, files).discrepancies.empty());
 }
 
 TEST(RapidWriter, AnAirRunsProgramIsOnTheLiftedPath) {
@@ -106,7 +125,8 @@ TEST(RapidWriter, AnAirRunsProgramIsOnTheLiftedPath) {
   input.options.dry_offset = 0.05;
   input.path.lift = 0.05 * geometry::Vector3::UnitZ();
   const auto program = readRapid(writeRapid(input));
-  EXPECT_TRUE(std::none_of(program.moves.begin(), program.moves.end(), [](const auto& move) { return move.process_on; }));
+  EXPECT_TRUE(
+      std::none_of(program.moves.begin(), program.moves.end(), [](const auto& move) { return move.process_on; }));
   EXPECT_TRUE(readBack(Controller::abb, input, writeRapid(input)).discrepancies.empty());
   EXPECT_THAT(mainModule(input), HasSubstr("AIR RUN: the whole path is shifted by 50.000 mm"));
   EXPECT_THAT(mainModule(input), HasSubstr("dry_run := TRUE"));
@@ -134,7 +154,7 @@ TEST(RapidWriter, WaitsForTheSpindleOnlyWhenASignalStartsIt) {
     for (const auto& move : readRapid(writeRapid(input), options).moves) list.push_back(move.process_wait);
     return list;
   };
-  EXPECT_EQ(waits(), (std::vector<double>{0, 0, 0, 2.5, 0}));  // waypoint 2 is the one with the process on
+  EXPECT_EQ(waits(), (std::vector<double>{0, 0, 2.5, 0, 0}));  // off the first waypoint, on to the rest of the row
   input.options.process_delay = 0.0;
   EXPECT_THAT(mainModule(input), Not(HasSubstr("WaitTime")));
   input.options.process_delay = -1.0;
@@ -147,8 +167,8 @@ TEST(RapidWriter, HeaderHasNoticeProvenanceAndComments) {
   input.options.comments = {"for fixture 3"};
   input.notices = {"PARTIAL PROGRAM"};
   const auto text = mainModule(input);
-  for (const char* part : {"SAFETY", "NOT checked", "dry_offset", "reduced", "responsible", "! input: B??gel?ENDMODULE.csv",
-                           "! for fixture 3", "! PARTIAL PROGRAM", "Units: mm"}) {
+  for (const char* part : {"SAFETY", "NOT checked", "dry_offset", "reduced", "responsible",
+                           "! input: B??gel?ENDMODULE.csv", "! for fixture 3", "! PARTIAL PROGRAM", "Units: mm"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
   EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));

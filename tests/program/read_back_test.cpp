@@ -51,8 +51,8 @@ std::vector<ProgramFile> changed(std::vector<ProgramFile> files, const std::stri
   auto& text = files.at(1).content;
   const std::size_t begin = from.empty() ? 0 : text.find(from);
   EXPECT_NE(begin, std::string::npos) << from;
-  const std::string after = std::regex_replace(text.substr(begin), std::regex(pattern), by,
-                                               std::regex_constants::format_first_only);
+  const std::string after =
+      std::regex_replace(text.substr(begin), std::regex(pattern), by, std::regex_constants::format_first_only);
   EXPECT_NE(after, text.substr(begin)) << pattern;
   text = text.substr(0, begin) + after;
   return files;
@@ -80,6 +80,8 @@ TEST(ReadBack, MutationTwinsAreFound) {
       {"feed in m/s", "feed_4 := \\[30\\.000", "feed_4 := [0.030", "", "feed is"},
       {"orientation speed", "feed_4 := \\[30\\.000,200", "feed_4 := [30.000,100", "", "orientation speed"},
       {"process not switched on", "ProcessOn;", "", row, "process is off, planned on"},
+      {"process switched on at the contact only", "ProcessOn;\\s*(MoveL [^;]*;)", "$1 ProcessOn;", row,
+       "process is off, planned on"},
       {"process not switched off", "ProcessOff;", "", row, "process is on, planned off"},
       {"a blend too large", "zone_\\w+um", "z10", row, "zone of 10.000 mm"},
       {"a blend where the process starts", "fine", "z0", row, "no stop where the process is switched"},
@@ -105,8 +107,9 @@ TEST(ReadBack, MutationTwinsAreFound) {
 
 TEST(ReadBack, NamesSegmentAndWaypoint) {
   const auto input = seededInput(2, 2, 12);
-  const auto found = readBack(Controller::abb, input,
-                              changed(written(input), "MoveL \\[\\[-?", "MoveL [[9", "PROC s1_row_0_1")).discrepancies;
+  const auto found =
+      readBack(Controller::abb, input, changed(written(input), "MoveL \\[\\[-?", "MoveL [[9", "PROC s1_row_0_1"))
+          .discrepancies;
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].segment, 1);
   EXPECT_EQ(found[0].index, 0);
@@ -132,7 +135,7 @@ TEST(ReadBack, NoticesAnotherPlan) {
   }
   expectFound("a path lifted by 50 mm", other, "um off the plan");
   other = input;
-  other.path.segments[1].waypoints[5].process_on = false;
+  for (auto& waypoint : other.path.segments[1].waypoints) waypoint.process_on = false;
   expectFound("process", other, "process is on, planned off");
   other = input;
   other.plan.trajectory.points[0].q[2] += 1e-6;
@@ -167,7 +170,8 @@ TEST(ReadBack, NoticesAxisThreeOutOfTheControllersRange) {
   input.robot.coupled_axis.reset();
   EXPECT_THAT(textsOf(input, written(input)), ::testing::Not(HasSubstr("would stand at")));
   point.q[3] = 3.6;
-  EXPECT_THAT(textsOf(input, written(input)), HasSubstr("axis 4 would stand at 206.265 deg on the controller, limits -200.0"));
+  EXPECT_THAT(textsOf(input, written(input)),
+              HasSubstr("axis 4 would stand at 206.265 deg on the controller, limits -200.0"));
 }
 
 TEST(ReadBack, NoticesAToolThatDoesNotWaitForItsSpindle) {
