@@ -207,11 +207,19 @@ private:
     return *input.scan;
   }
 
+  /// Stock may still stand on every contact, cut in an earlier pass or not: nothing is driven through it at rapid feed.
+  toolpath::LinkOptions linksOverStock() const {
+    toolpath::LinkOptions links = options_.links;
+    links.approach += options_.stock;
+    links.clearance += options_.stock;
+    return links;
+  }
+
   /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.
   void join(PlannedPath& planned, const scan::FittedScan& scan, const std::vector<Segment>& also_below) const {
     planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
     const Vector3 up = scan.T_cloud_scan.linear().col(2);
-    planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, options_.links, also_below);
+    planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, linksOverStock(), also_below);
     planned.path = toolpath::snapped(std::move(planned.path));
     planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
     const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance);

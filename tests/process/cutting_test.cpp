@@ -141,6 +141,26 @@ TEST(Cutting, NoPassTakesMoreThanTheDepthOfCut) {
   EXPECT_NEAR(rows.front().waypoints[3].pose.translation().z(), 0.01 + 0.0025 * 2.0 / 3.0, 1e-12);
 }
 
+// The part is a plane, so the stock's top is one too. What is driven at rapid feed leads from one waypoint of the links
+// to the next, or off a row that has just been cut.
+TEST(Cutting, MovesAtRapidFeedKeepAboveTheStock) {
+  constexpr double height_of_plate = 0.01;
+  for (const double stock : {0.0, 0.004, 0.03}) {
+    CuttingOptions options;
+    options.stock = stock;
+    options.depth_of_cut = 0.015;
+    for (const Segment& segment : planned(platePlane(), options).path.segments) {
+      if (toolpath::isRow(segment)) {
+        EXPECT_EQ(segment.waypoints.front().feed, options.links.plunge_feed) << segment.name;
+        continue;
+      }
+      for (const auto& waypoint : segment.waypoints) {
+        EXPECT_GT(waypoint.pose.translation().z(), height_of_plate + stock + 0.004) << segment.name << ", " << stock;
+      }
+    }
+  }
+}
+
 TEST(Cutting, KeepsAndReportsGouges) {
   // A groove whose bottom has a radius of 6 mm, under a ball of 20 mm and one of 4 mm.
   const auto groove = [](double x, double) { return -0.012 * std::exp(-std::pow((x - 0.05) / 0.012, 2)); };
