@@ -20,7 +20,8 @@ namespace {
 /// A job under way: runs the stages one after the other and hands what they find to the output.
 class Job {
 public:
-  Job(const JobRequest& request, const JobOptions& options, const Cell& cell, StageRunner& stages, const Progress& progress)
+  Job(const JobRequest& request, const JobOptions& options, const Cell& cell, StageRunner& stages,
+      const Progress& progress)
       : request_(request), options_(options), progress_(progress), cell_(cell), stages_(stages) {}
 
   JobResult run() {
@@ -78,6 +79,21 @@ private:
           "the part is finer than the scan's rows: scan at a smaller pitch, or machine the scanned rows "
           "alone with --set path.row_source=scan_lines");
     }
+    noteScallop();
+  }
+
+  /// Rows whose distance was given, by the scan or by the user, may leave more than path.scallop_height.
+  void noteScallop() {
+    const auto& figures = path_.accuracy;
+    const auto scallop =
+        std::find_if(figures.begin(), figures.end(), [](const auto& f) { return f.name == "path_scallop"; });
+    if (scallop == figures.end() || scallop->value <= options_.path.scallop_height) return;
+    output_.addNote(
+        "the rows leave a scallop of " + fixed(1e6 * scallop->value, 1) + " um, more than path.scallop_height, " +
+        fixed(1e6 * options_.path.scallop_height, 1) + " um: " +
+        (options_.path.row_source == process::RowSource::surface
+             ? "lower path.pitch, or set it to 0"
+             : "scan at a smaller pitch, or plan rows over the surface with --set path.row_source=surface"));
   }
 
   void motion() {
@@ -87,6 +103,7 @@ private:
     take(motion_.report, motion_.accuracy);
     if (output_.isBlocked()) {
       output_.addNote("no trajectory and no program written: see what failed");
+      noteRowOrder();
       return;
     }
     output_.addFile("trajectory.csv", motion::formatTrajectory(motion_.plan.trajectory));
@@ -94,6 +111,14 @@ private:
       output_.addNote("air run: path, trajectory, pulses and program are lifted by " +
                       fixed(1e3 * options_.program.dry_offset, 1) + " mm, the process stays off");
     }
+  }
+
+  /// Rows to and fro turn a leaning tool by half a turn, which an arm's wrist often cannot do.
+  void noteRowOrder() {
+    const auto& path = options_.path;
+    const bool leans = path.lead != 0.0 || path.tilt != 0.0;
+    if (!leans || path.row_order != process::RowOrder::zig_zag || !output_.hasFailedWaypoint()) return;
+    output_.addNote("a leaning tool turns by 180 degrees from row to row to and fro: try --set path.row_order=one_way");
   }
 
   /// Goes on with what is left of the path when the waypoints that fail are left out.

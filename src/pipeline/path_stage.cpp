@@ -16,12 +16,20 @@ void addSurfaceTolerances(const scan::FittedScan& scan, const ReportOptions& lim
   accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limitUnlessZero(limits.max_between_rows)});
 }
 
+/// Rows of the scan, and those of a given pitch, lie where they were asked for, whatever they leave.
+bool pitchFollowsScallop(const process::CuttingOptions& options) {
+  return options.row_source == process::RowSource::surface && options.pitch == 0.0;
+}
+
 PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, const JobOptions& options) {
   PathStage stage;
   stage.planned = std::move(planned);
   stage.report = {"path", scan.samples_used, toolpath::waypointCount(stage.planned.path), {}};
   for (const auto& figure : stage.planned.figures) {
     stage.accuracy.push_back({"path_" + figure.name, figure.value, figure.unit});
+    if (figure.name == "scallop" && pitchFollowsScallop(options.path)) {
+      stage.accuracy.back().limit = options.path.scallop_height;
+    }
   }
   if (options.path.row_source == process::RowSource::surface)
     addSurfaceTolerances(scan, options.report, stage.accuracy);

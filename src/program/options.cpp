@@ -34,11 +34,10 @@ bool isOwnName(const std::string& lower) {
 
 void checkNames(const ProgramOptions& options) {
   std::set<std::string> seen;
-  for (const auto& [key, name] : {std::pair{"tool_name", &options.tool_name},
-                                  std::pair{"workobject_name", &options.workobject_name},
-                                  std::pair{"process_on", &options.process_on},
-                                  std::pair{"process_off", &options.process_off},
-                                  std::pair{"process_signal", &options.process_signal}}) {
+  for (const auto& [key, name] :
+       {std::pair{"tool_name", &options.tool_name}, std::pair{"workobject_name", &options.workobject_name},
+        std::pair{"process_on", &options.process_on}, std::pair{"process_off", &options.process_off},
+        std::pair{"process_signal", &options.process_signal}}) {
     if (name->empty() && name == &options.process_signal) continue;
     const std::string where = std::string("program.") + key;
     checkRapidName(where, *name);
@@ -47,6 +46,14 @@ void checkNames(const ProgramOptions& options) {
     if (isOwnName(lower)) throw InputError(where, "name", "'" + *name + "'", "no name of the program's own");
     if (!seen.insert(lower).second) throw InputError(where, "name", "'" + *name + "'", "used only once");
   }
+}
+
+/// A lift that blends in the air could use up is no air run.
+void checkDryOffset(const ProgramOptions& options) {
+  const double least = 0.005 + options.air_tolerance;  // [m]
+  if (options.dry_offset == 0.0 || options.dry_offset >= least) return;
+  throw InputError("program.dry_offset is " + fixed(options.dry_offset, 6) + " m, must be 0 or at least " +
+                   fixed(least, 4) + " m (5 mm over program.air_tolerance)");
 }
 
 }  // namespace
@@ -60,6 +67,7 @@ void validateProgramOptions(const ProgramOptions& options) {
     throw InputError("program.dry_direction has length " + fixed(options.dry_direction.norm(), 6) +
                      ", must be a direction");
   }
+  checkDryOffset(options);
   checkNames(options);
 }
 

@@ -45,6 +45,24 @@ class Acceptance(unittest.TestCase):
                       f"{1e6 * value['reference_path_largest']:.2f} um, scallop "
                       f"{1e6 * value['reference_scallop_largest']:.1f} um")
 
+    def test_a_leaning_tool_plans_one_way_and_to_and_fro_says_so(self):
+        with tempfile.TemporaryDirectory(prefix="scan_to_path_") as directory:
+            log, out = pathlib.Path(directory, "samples.csv"), pathlib.Path(directory, "out")
+            subprocess.run([EXECUTABLE, "emulate", "--quiet", "--out", log], check=True)
+
+            def plan(*settings):
+                flags = [flag for setting in settings for flag in ("--set", setting)]
+                status = subprocess.run([EXECUTABLE, "plan", "--input", log, "--quiet", "--out", out, *flags]).returncode
+                return status, " ".join(json.loads((out / "report.json").read_text())["notes"])
+            for lead in ("0.1", "0.26", "0.5"):
+                self.assertEqual(plan("path.row_order=one_way", f"path.lead={lead}")[0], 0, lead)
+            status, notes = plan("path.lead=0.26")
+            self.assertEqual(status, 1)
+            self.assertIn("path.row_order=one_way", notes)
+            status, notes = plan("path.pitch=0.02")
+            self.assertEqual(status, 0)
+            self.assertIn("more than path.scallop_height", notes)
+
     def test_a_robot_twice_as_bad_does_not_pass(self):
         self.assertFalse(holds(figures(4, "--set", "emulate.errors.drift_sigma=1.3e-5")))
 

@@ -22,6 +22,7 @@ TEST(ProgramOptions, BadValuesAreNamed) {
       {"program.tool_centre_of_gravity[1]", [nan](auto& o) { o.tool_centre_of_gravity.y() = nan; }},
       {"program.tool_inertia[2]", [](auto& o) { o.tool_inertia.z() = -1.0; }},
       {"program.dry_offset", [](auto& o) { o.dry_offset = -0.1; }},
+      {"program.dry_offset is 0.000001 m, must be 0 or at least 0.0055 m", [](auto& o) { o.dry_offset = 1e-6; }},
       {"program.dry_direction", [](auto& o) { o.dry_direction.setZero(); }},
       {"program.start_speed", [](auto& o) { o.start_speed = 1.0; }},
       {"program.moves_per_routine", [](auto& o) { o.moves_per_routine = 0; }},

@@ -45,7 +45,7 @@ struct ProgramOptions {
           Field{"tool_centre_of_gravity", "m", "centre of gravity of the load, in the flange frame", -5.0, 5.0});
     visit(self.tool_inertia,
           Field{"tool_inertia", "kg m^2", "moments of inertia about the centre of gravity; 0: point mass", 0.0, 1e4});
-    visit(self.dry_offset, Field{"dry_offset", "m", "air run: shift of the whole path, process off; 0: real run", 0.0, 2.0});
+    visit(self.dry_offset, Field{"dry_offset", "m", "air run: shift of the whole path, process off, 5 mm over air_tolerance or more; 0: real run", 0.0, 2.0});
     visit(self.dry_direction, Field{"dry_direction", "", "direction of dry_offset in the work object's frame"});
     visit(self.zone_tolerance,
           Field{"zone_tolerance", "m", "how far blending may leave the lines between waypoints, process on", 0.0, 0.01});

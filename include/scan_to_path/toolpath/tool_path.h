@@ -48,7 +48,8 @@ std::size_t waypointCount(const ToolPath& path);
 /// Fills every segment's arc_length from its poses.
 ToolPath withArcLength(ToolPath path);
 
-/// The path with every pose snapped (geometry::snapped): what files and messages carry is what is driven.
+/// The path with every rotation snapped (geometry::snapped): what a file or message gives back is what is driven, but
+/// for positions, which path.csv rounds to 1e-9 m.
 ToolPath snapped(ToolPath path);
 
 /// path.csv as docs/file_formats.md has it: comments with frame, T_contact_tcp and, of an air run, the lift, then
