@@ -99,7 +99,7 @@ private:
   void motion() {
     motion_ = stages_.motion(driven_, progress_);
     output_.setPath(driven_.planned.path, motion_.verdicts);
-    if (request_.allow_partial && output_.hasFailedWaypoint() && !output_.hasFailedTolerance()) partial();
+    if (request_.allow_partial && !output_.hasFailedTolerance()) partial();
     take(motion_.report, motion_.accuracy);
     if (output_.isBlocked()) {
       output_.addNote("no trajectory and no program written: see what failed");
@@ -121,19 +121,19 @@ private:
     output_.addNote("a leaning tool turns by 180 degrees from row to row to and fro: try --set path.row_order=one_way");
   }
 
-  /// Goes on with what is left of the path when the waypoints that fail are left out.
+  /// Goes on with what is left of the path when the waypoints that fail on the part are left out.
   void partial() {
+    if (!output_.hasFailedWaypoint() && options_.program.dry_offset <= 0.0) return;
     PartialStage stage = partialStage(*planner_, path_, motion_, fit_.scan, cell_, options_, progress_);
-    if (stage.path.planned.path.segments.empty()) {
-      output_.addNote("--allow-partial: nothing is left of the path that could be driven");
-      return;
-    }
+    if (stage.left_out.empty() && stage.refusal.empty()) return;
     path_ = std::move(stage.path);
-    driven_ = airRun(path_, cell_, options_.program);
+    driven_ = std::move(stage.driven);
     motion_ = std::move(stage.motion);
-    notices_ = partialNotices(stage.left_out, stage.left_out_share);
     output_.setFigures(path_.accuracy);
     output_.setPath(driven_.planned.path, motion_.verdicts);
+    if (!stage.refusal.empty()) output_.addNote("--allow-partial: " + stage.refusal);
+    if (stage.left_out.empty()) return;
+    notices_ = partialNotices(stage.left_out, stage.left_out_share);
     output_.setLeftOut(std::move(stage.left_out), stage.left_out_share);
   }
 

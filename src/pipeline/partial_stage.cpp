@@ -162,8 +162,14 @@ double workedLength(const toolpath::ToolPath& path) {
   return length;
 }
 
+std::size_t failingCount(const MotionStage& motion) {
+  return static_cast<std::size_t>(std::count_if(motion.verdicts.begin(), motion.verdicts.end(),
+                                                [](const auto& verdict) { return verdict.verdict != Verdict::ok; }));
+}
+
 StageReport motionReport(const PlannedPath& whole, const PartialStage& stage) {
-  StageReport report = {"motion", toolpath::waypointCount(whole.path), stage.motion.verdicts.size(), {}};
+  StageReport report = {
+      "motion", toolpath::waypointCount(whole.path), stage.motion.verdicts.size() - failingCount(stage.motion), {}};
   for (const auto& left_out : stage.left_out) {
     scan::addDropped(report.dropped, enumName(left_out.verdict.verdict), 1);
   }
@@ -176,25 +182,38 @@ PartialStage partialStage(const process::Planner& planner, const PathStage& whol
                           const scan::FittedScan& scan, const Cell& cell, const JobOptions& options,
                           const Progress& progress) {
   const double shortest = planner.shortestPiece();
-  PartialStage stage;
-  stage.path = whole;
-  stage.motion = motion;
+  const bool is_air_run = options.program.dry_offset > 0.0;
+  PathStage path = whole;
+  MotionStage on_part = is_air_run ? motionStage(whole, cell, options, progress) : motion;
+  PartialStage stage = {whole, airRun(whole, cell, options.program), motion, {}, 0.0, ""};
+  if (failingCount(on_part) == 0) return stage;
+  stage.motion = on_part;  // what is refused, unless a path comes out
   Causes causes;
   double retreat = first_retreat * shortest;
   // Ends: every round leaves out contacts of the path that is left.
   while (true) {
-    if (!addContacts(stage.path.planned, stage.motion.verdicts, causes)) {
-      if (!addRowEnds(stage.path.planned, stage.motion.verdicts, retreat, causes)) break;
+    if (!addContacts(path.planned, on_part.verdicts, causes)) {
+      if (!addRowEnds(path.planned, on_part.verdicts, retreat, causes)) break;
       retreat *= 2.0;  // so that a link that cannot be had costs few rounds
     }
-    stage.path = pathWithout(planner, whole, placesOf(causes), scan, whole.planned.path.frame, options, progress);
-    if (stage.path.planned.path.segments.empty()) break;
-    stage.motion = motionStage(airRun(stage.path, cell, options.program), cell, options, progress);
+    path = pathWithout(planner, whole, placesOf(causes), scan, whole.planned.path.frame, options, progress);
+    if (path.planned.path.segments.empty()) {
+      stage.refusal = "nothing is left of the path that could be driven";
+      return stage;
+    }
+    on_part = motionStage(path, cell, options, progress);
   }
-  stage.left_out = leftOut(whole.planned, stage.path.planned, causes, shortest);
+  stage.left_out = leftOut(whole.planned, path.planned, causes, shortest);
   const double planned = workedLength(whole.planned.path);
-  stage.left_out_share = planned > 0.0 ? 1.0 - workedLength(stage.path.planned.path) / planned : 0.0;
+  stage.left_out_share = planned > 0.0 ? 1.0 - workedLength(path.planned.path) / planned : 0.0;
+  stage.driven = airRun(path, cell, options.program);
+  stage.motion = is_air_run ? motionStage(stage.driven, cell, options, progress) : std::move(on_part);
+  stage.path = std::move(path);
   stage.motion.report = motionReport(whole.planned, stage);
+  if (failingCount(stage.motion) > 0) {
+    stage.refusal = std::to_string(failingCount(stage.motion)) +
+                    " waypoints of what can be driven on the part fail in its air run: lower program.dry_offset";
+  }
   return stage;
 }
 

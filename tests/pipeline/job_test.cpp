@@ -207,6 +207,24 @@ TEST_F(JobTest, APartialProgramOnlyWhenAskedForAndNeverAgainstATolerance) {
   EXPECT_EQ(files(job), (std::set<std::string>{"path.csv", "report.json", "timing.json"}));
 }
 
+TEST_F(JobTest, AnAirRunOfAPartialProgramFailsAsAWhole) {
+  const Groove groove;
+  auto job = request("groove_air");
+  job.input = *directory_ / "groove_air.csv";
+  std::ofstream(job.input) << scan::formatSampleLog(smallScan(groove));
+  job.allow_partial = true;
+  JobOptions options;
+  options.path.ball_radius = 0.0135;
+  options.program.dry_offset = 0.05;
+  EXPECT_EQ(runJob(job, options, {}).exit, 1);
+  EXPECT_TRUE(files(job).count("program.mod"));
+  options.program.dry_offset = 2.0;
+  const JobResult result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 1);
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("fail in its air run: lower program.dry_offset")));
+  EXPECT_EQ(files(job), (std::set<std::string>{"path.csv", "report.json", "timing.json"}));
+}
+
 TEST_F(JobTest, NothingLeftIsNoPartialProgram) {
   JobOptions options;
   options.path.feed = 0.9;
@@ -332,9 +350,9 @@ TEST_F(JobTest, ReportMutationIsSeen) {
   auto job = request("mutated");
   job.stop_after = Stage::path;
   const auto& mount = CellOptions().workpiece;
-  job.reference = std::make_shared<geometry::PosedSurface>(
-      std::make_shared<geometry::Saddle>(smallPart()),
-      geometry::makeFrame(mount.xyz + Vector3(0.0, 0.0, 1e-5), mount.rpy));
+  job.reference =
+      std::make_shared<geometry::PosedSurface>(std::make_shared<geometry::Saddle>(smallPart()),
+                                               geometry::makeFrame(mount.xyz + Vector3(0.0, 0.0, 1e-5), mount.rpy));
   runJob(job, {}, {});
   const auto report = nlohmann::json::parse(file(job, "report.json"));
   EXPECT_GT(report["accuracy"]["reference_path_rms"]["value"].get<double>(), 9e-6);
