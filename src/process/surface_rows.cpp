@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
 #include "scan_to_path/process/row_scallop.h"
 #include "scan_to_path/toolpath/outline_clip.h"
 #include "scan_to_path/toolpath/scallop.h"
@@ -20,13 +21,14 @@ using toolpath::Interval;
 using toolpath::OutlineClip;
 using toolpath::ScanSurface;
 
-constexpr double shortest_row = 1e-4;      // [m]; shorter stretches hold no contact worth a link
-constexpr double edge_accuracy = 1e-7;     // [m] to which the first and last row are brought to the edge
-constexpr double edge_wobble = 1e-4;       // [m]; the outline is measured: a row nearer to it may be in and out of it
-constexpr double least_share = 0.93;       // of the scallop height that a step uses, but for the last one, …
-constexpr double aimed_share = 0.97;       // … that it aims at …
-constexpr double most_share = 0.995;       // … and that it may reach, for what lies between the places looked at
-constexpr int most_trials = 20;            // per row; the secant needs one to three
+constexpr double shortest_row = 1e-4;   // [m]; shorter stretches hold no contact worth a link
+constexpr double edge_accuracy = 1e-7;  // [m] to which the first and last row are brought to the edge
+constexpr double edge_wobble = 1e-4;    // [m]; the outline is measured: a row nearer to it may be in and out of it
+constexpr double least_share = 0.93;    // of the scallop height that a step uses, but for the last one, …
+constexpr double aimed_share = 0.97;    // … that it aims at …
+constexpr double most_share = 0.995;    // … and that it may reach, for what lies between the places looked at
+constexpr int most_rows = 10000;        // a part of 1 m at 0.1 mm; more take minutes and gigabytes
+constexpr int most_trials = 20;         // per row; the secant needs one to three
 
 /// Makes rows at any place across, and finds the next place.
 class RowMaker {
@@ -124,8 +126,8 @@ private:
     const HeightJet jet = jetAt(t, s);
     const double slope = along_.dot(Vector2d(jet.zx, jet.zy));
     const double stretch = std::sqrt(1.0 + slope * slope);
-    const double second = jet.zxx * along_.x() * along_.x() + 2.0 * jet.zxy * along_.x() * along_.y() +
-                          jet.zyy * along_.y() * along_.y();
+    const double second =
+        jet.zxx * along_.x() * along_.x() + 2.0 * jet.zxy * along_.x() * along_.y() + jet.zyy * along_.y() * along_.y();
     const double section = std::abs(second) / (stretch * stretch * stretch);
     const double normal = toolpath::normalCurvature(jet, along_);
     // A chord of length l sags kappa l^2 / 8; the centre's line is 1 + kappa r longer and turns as much.
@@ -223,19 +225,28 @@ NextRow nextByScallop(const RowMaker& maker, const std::vector<Row>& before, dou
   return rowAt(maker, before, std::min(s + maker.ruleDistance(before), last), number, options);
 }
 
+void checkRowCount(double count, const CuttingOptions& options) {
+  if (count <= most_rows) return;
+  const bool by_pitch = options.pitch > 0.0;
+  const std::string value = fixed(1e6 * (by_pitch ? options.pitch : options.scallop_height), 3);
+  throw InputError(std::string("path.") + (by_pitch ? "pitch" : "scallop_height") + " of " + value + " um",
+                   "number of rows", fixed(std::ceil(count), 0), "at most " + std::to_string(most_rows));
+}
+
 }  // namespace
 
 RowPlan surfaceRows(const scan::FittedScan& scan, const CuttingOptions& options, const Progress& progress) {
   const RowMaker maker(scan, options);
   const double first = maker.edge(1);
   const double last = maker.edge(-1);
+  checkRowCount((last - first) / (options.pitch > 0.0 ? options.pitch : maker.planeDistance()), options);
   RowPlan plan;
   int number = 0;
   std::vector<Row> before = maker.rowsAt(first, number);
   plan.rows = before;
   for (double s = first; s < last;) {
     progress.update("path", (s - first) / (last - first));
-    ++number;
+    checkRowCount(++number, options);
     NextRow next = options.pitch > 0.0 ? rowAt(maker, before, std::min(s + options.pitch, last), number, options)
                                        : nextByScallop(maker, before, s, last, number, options);
     checkThatBallsMeet(next.scallop, number, options.ball_radius);

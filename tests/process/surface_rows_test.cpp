@@ -17,7 +17,9 @@ namespace {
 constexpr double degree = M_PI / 180.0;
 const geometry::Rectangle area = {0.0, 0.1, 0.0, 0.06};
 
-scan::FittedScan plane() { return test::fittedScan([](double, double) { return 0.01; }, area, 0.004, 8, 8); }
+scan::FittedScan plane() {
+  return test::fittedScan([](double, double) { return 0.01; }, area, 0.004, 8, 8);
+}
 
 Eigen::Vector2d across(double direction) { return {-std::sin(direction), std::cos(direction)}; }
 
@@ -44,6 +46,18 @@ TEST(SurfaceRows, ReachFromEdgeToEdgeLessTheMargin) {
     EXPECT_NEAR(row.points.front().point.x(), 0.002, 2e-5);  // the corner's disc at the very edge
     EXPECT_NEAR(row.points.back().point.x(), 0.098, 2e-5);
   }
+}
+
+// 59 mm, less the margins, at 1e-7 m are 590000 rows: minutes and gigabytes.
+TEST(SurfaceRows, TooManyAreRefusedUpFront) {
+  CuttingOptions options;
+  options.pitch = 1e-7;
+  test::expectInputError([&] { surfaceRows(plane(), options); }, "path.pitch of 0.100 um: number of rows is ");
+  test::expectInputError([&] { surfaceRows(plane(), options); }, "must be at most 10000");
+  options.pitch = 0.0;
+  options.ball_radius = 1e-4;
+  options.scallop_height = 1e-8;  // planes 2 sqrt(2 r h) = 2.8 um apart: 20900 rows
+  test::expectInputError([&] { surfaceRows(plane(), options); }, "path.scallop_height of 0.010 um");
 }
 
 TEST(SurfaceRows, DoNotBreakUpAlongAMeasuredEdge) {
@@ -80,7 +94,8 @@ TEST(SurfaceRows, TakeAnyDirectionAndStayInside) {
 
 TEST(SurfaceRows, OppositeDirectionIsTheSameRowsBackwards) {
   CuttingOptions options;
-  options.pitch = 0.0029500001;  // 59 mm between the edges in 20 steps and a rounding, so both ways give the same planes
+  options.pitch =
+      0.0029500001;  // 59 mm between the edges in 20 steps and a rounding, so both ways give the same planes
   CuttingOptions opposite = options;
   opposite.direction = 180.0 * degree;
   const auto scan = test::fittedScan([](double x, double y) { return x * y; }, area, 0.004, 8, 8);
@@ -142,8 +157,8 @@ TEST(SurfaceRows, AHoleSplitsThem) {
   int split = 0;
   for (const Row& row : plan.rows) {
     for (const RowPoint& p : row.points) {
-      const bool in_hole = p.point.x() > 0.0395 + 1e-9 && p.point.x() < 0.0605 - 1e-9 && p.point.y() > 0.02 &&
-                           p.point.y() < 0.04;
+      const bool in_hole =
+          p.point.x() > 0.0395 + 1e-9 && p.point.x() < 0.0605 - 1e-9 && p.point.y() > 0.02 && p.point.y() < 0.04;
       ASSERT_FALSE(in_hole) << p.point.transpose();
     }
     split += row.pieces == 2 ? 1 : 0;
