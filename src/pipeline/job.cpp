@@ -9,6 +9,7 @@
 #include "scan_to_path/common/version.h"
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/pipeline/job_output.h"
+#include "scan_to_path/pipeline/left_out.h"
 #include "scan_to_path/pipeline/partial_stage.h"
 #include "scan_to_path/pipeline/reference_stage.h"
 #include "scan_to_path/pipeline/stage_runner.h"
@@ -125,11 +126,11 @@ private:
   void partial() {
     if (!output_.hasFailedWaypoint() && options_.program.dry_offset <= 0.0) return;
     PartialStage stage = partialStage(*planner_, path_, motion_, fit_.scan, cell_, options_, progress_);
-    if (stage.left_out.empty() && stage.refusal.empty()) return;
     path_ = std::move(stage.path);
     driven_ = std::move(stage.driven);
     motion_ = std::move(stage.motion);
-    output_.setFigures(path_.accuracy);
+    output_.dropFigures("path_");
+    output_.addStage(path_.report, path_.accuracy, {});
     output_.setPath(driven_.planned.path, motion_.verdicts);
     if (!stage.refusal.empty()) output_.addNote("--allow-partial: " + stage.refusal);
     if (stage.left_out.empty()) return;

@@ -33,7 +33,14 @@ void JobOutput::setInput(const JobRequest& request, const JobOptions& options, c
 
 void JobOutput::addStage(const StageReport& stage, const std::vector<Accuracy>& accuracy,
                          const std::vector<std::string>& notes) {
-  report_.stages.push_back(stage);
+  auto& stages = report_.stages;
+  const auto same =
+      std::find_if(stages.begin(), stages.end(), [&](const auto& other) { return other.name == stage.name; });
+  if (same == stages.end()) {
+    stages.push_back(stage);
+  } else {
+    *same = stage;
+  }
   setFigures(accuracy);
   report_.notes.insert(report_.notes.end(), notes.begin(), notes.end());
 }
@@ -49,6 +56,13 @@ void JobOutput::setFigures(const std::vector<Accuracy>& figures) {
       *same = figure;
     }
   }
+}
+
+void JobOutput::dropFigures(const std::string& prefix) {
+  auto& all = report_.accuracy;
+  all.erase(
+      std::remove_if(all.begin(), all.end(), [&](const auto& figure) { return figure.name.rfind(prefix, 0) == 0; }),
+      all.end());
 }
 
 void JobOutput::setPath(toolpath::ToolPath path, std::vector<toolpath::WaypointVerdict> verdicts) {

@@ -66,8 +66,8 @@ Json accuracyJson(const std::vector<Accuracy>& figures) {
   return root;
 }
 
-Json waypointJson(const toolpath::ToolPath& path, const toolpath::WaypointVerdict& verdict) {
-  return {{"segment", path.segments[static_cast<std::size_t>(verdict.segment)].name},
+Json verdictJson(const std::string& segment, const toolpath::WaypointVerdict& verdict) {
+  return {{"segment", segment},
           {"index", verdict.index},
           {"verdict", enumName(verdict.verdict)},
           {"margin", number(verdict.margin)},
@@ -76,18 +76,24 @@ Json waypointJson(const toolpath::ToolPath& path, const toolpath::WaypointVerdic
           {"remedy", verdict.remedy}};
 }
 
+Json waypointJson(const toolpath::ToolPath& path, const toolpath::WaypointVerdict& verdict) {
+  return verdictJson(path.segments[static_cast<std::size_t>(verdict.segment)].name, verdict);
+}
+
+/// A verdict of its own only where the waypoint itself fails; else the one on what it is left out for.
 Json leftOutJson(const LeftOut& left_out) {
-  const toolpath::WaypointVerdict& verdict = left_out.verdict;
-  return {{"segment", left_out.segment},
-          {"index", verdict.index},
-          {"x", number(left_out.position.x())},
-          {"y", number(left_out.position.y())},
-          {"z", number(left_out.position.z())},
-          {"verdict", enumName(verdict.verdict)},
-          {"margin", number(verdict.margin)},
-          {"unit", verdict.unit},
-          {"reason", verdict.reason},
-          {"remedy", verdict.remedy}};
+  Json entry = {{"segment", left_out.segment}, {"index", left_out.index}};
+  if (left_out.kind == LeftOutKind::fails) {
+    entry = verdictJson(left_out.segment, left_out.verdict);
+  } else {
+    entry["reason"] = left_out.reason;
+    entry["caused_by"] = verdictJson(left_out.caused_by, left_out.verdict);
+  }
+  entry["kind"] = enumName(left_out.kind);
+  entry["x"] = number(left_out.position.x());
+  entry["y"] = number(left_out.position.y());
+  entry["z"] = number(left_out.position.z());
+  return entry;
 }
 
 Json versionsJson() {

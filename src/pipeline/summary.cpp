@@ -56,8 +56,8 @@ void addFailures(std::vector<std::string>& lines, const Report& report, const to
                  const std::vector<toolpath::WaypointVerdict>& verdicts) {
   for (const auto& figure : report.accuracy) {
     if (figure.pass()) continue;
-    add(lines, "FAILED", figure.name + " is " + shown(figure.value, figure.unit) + ", limit " +
-                             shown(*figure.limit, figure.unit));
+    add(lines, "FAILED",
+        figure.name + " is " + shown(figure.value, figure.unit) + ", limit " + shown(*figure.limit, figure.unit));
   }
   std::map<toolpath::Verdict, std::size_t> failed;
   std::size_t listed = 0;
@@ -65,33 +65,56 @@ void addFailures(std::vector<std::string>& lines, const Report& report, const to
     if (verdict.verdict == toolpath::Verdict::ok) continue;
     ++failed[verdict.verdict];
     if (++listed > listed_waypoints) continue;
-    add(lines, "FAILED", path.segments[static_cast<std::size_t>(verdict.segment)].name + " waypoint " +
-                             std::to_string(verdict.index) + ": " + enumName(verdict.verdict) + ": " + verdict.reason +
-                             "; " + verdict.remedy);
+    add(lines, "FAILED",
+        path.segments[static_cast<std::size_t>(verdict.segment)].name + " waypoint " + std::to_string(verdict.index) +
+            ": " + enumName(verdict.verdict) + ": " + verdict.reason + "; " + verdict.remedy);
   }
   for (const auto& [verdict, count] : failed) {
-    add(lines, "FAILED", std::to_string(count) + " of " + std::to_string(verdicts.size()) + " waypoints: " +
-                             enumName(verdict));
+    add(lines, "FAILED",
+        std::to_string(count) + " of " + std::to_string(verdicts.size()) + " waypoints: " + enumName(verdict));
   }
 }
 
-/// What a partial path does without: how much, then the first waypoint of each verdict.
+std::string leftOutText(const LeftOut& left_out) {
+  const std::string verdict =
+      std::string(enumName(left_out.verdict.verdict)) + ": " + left_out.verdict.reason + "; " + left_out.verdict.remedy;
+  if (left_out.kind == LeftOutKind::fails) return verdict;
+  return left_out.reason + ", " + left_out.caused_by + " waypoint " + std::to_string(left_out.verdict.index) + " " +
+         verdict;
+}
+
+/// What a partial path does without: how much, then the first waypoint that fails with each verdict, and the first of
+/// those that do not fail themselves.
 void addLeftOut(std::vector<std::string>& lines, const Report& report) {
   if (report.left_out.empty()) return;
-  add(lines, "LEFT OUT", std::to_string(report.left_out.size()) + " waypoints, " +
-                             fixed(100.0 * report.left_out_share, 2) +
-                             " % of the planned cutting length: PARTIAL, the part is not finished; see report.json");
-  std::map<toolpath::Verdict, std::pair<std::size_t, const LeftOut*>> reasons;
+  add(lines, "LEFT OUT",
+      std::to_string(report.left_out.size()) + " waypoints, " + fixed(100.0 * report.left_out_share, 2) +
+          " % of the planned cutting length: PARTIAL, the part is not finished; see report.json");
+  std::map<std::pair<LeftOutKind, std::string>, std::pair<std::size_t, const LeftOut*>> kinds;
   for (const auto& left_out : report.left_out) {
-    auto& [count, first] = reasons[left_out.verdict.verdict];
+    const bool fails = left_out.kind == LeftOutKind::fails;
+    const std::string text = fails ? enumName(left_out.verdict.verdict) : left_out.reason;
+    auto& [count, first] = kinds[{left_out.kind, text}];
     if (count++ == 0) first = &left_out;
   }
-  for (const auto& [verdict, reason] : reasons) {
-    const LeftOut& first = *reason.second;
-    add(lines, "LEFT OUT", std::to_string(reason.first) + " " + enumName(verdict) + ", the first " + first.segment +
-                               " waypoint " + std::to_string(first.verdict.index) + ": " + first.verdict.reason + "; " +
-                               first.verdict.remedy);
+  for (const auto& [key, kind] : kinds) {
+    const LeftOut& first = *kind.second;
+    const std::string what = first.kind == LeftOutKind::fails ? key.second : "that do not fail themselves";
+    add(lines, "LEFT OUT",
+        std::to_string(kind.first) + " " + what + ", the first " + first.segment + " waypoint " +
+            std::to_string(first.index) + ": " + leftOutText(first));
   }
+}
+
+/// What was planned and, of a partial path, the share of it that is not driven.
+std::string pathText(const Report& report) {
+  std::string text = figures(report, {{"path_rows", "rows"},
+                                      {"path_row_distance_median", "apart"},
+                                      {"path_scallop", "scallop"},
+                                      {"path_waypoints", "waypoints"},
+                                      {"path_cutting_length", "cutting"}});
+  if (!report.left_out.empty()) text += ", left out " + fixed(100.0 * report.left_out_share, 2) + " % of the cutting";
+  return text;
 }
 
 }  // namespace
@@ -102,25 +125,25 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
   for (const auto& stage : report.stages) {
     if (stage.name == "scan" || stage.name == "fit") add(lines, stage.name, stageText(stage));
   }
-  add(lines, "clocks", figures(report, {{"clock_offset", "sensor against encoders"}, {"clock_offset_standard_error", "+-"}}));
-  add(lines, "accuracy", figures(report, {{"line_residual_rms", "lines fit to RMS"},
-                                          {"line_noise", "noise"},
-                                          {"surface_residual_rms", "surface to RMS"},
-                                          {"between_rows_rms", "between rows RMS"}}));
-  add(lines, "path", figures(report, {{"path_rows", "rows"},
-                                      {"path_row_distance_median", "apart"},
-                                      {"path_scallop", "scallop"},
-                                      {"path_waypoints", "waypoints"},
-                                      {"path_cutting_length", "cutting"}}));
-  add(lines, "reference", figures(report, {{"reference_path_rms", "path off it RMS"},
-                                           {"reference_path_largest", "max"},
-                                           {"reference_normal_mean", "normals mean"},
-                                           {"reference_normal_largest", "max"},
-                                           {"reference_scallop_largest", "scallop max"}}));
-  add(lines, "motion", figures(report, {{"duration", "takes"},
-                                        {"playback_position", "played back within"},
-                                        {"playback_angle", ""},
-                                        {"chord_error", "chord error"}}));
+  add(lines, "clocks",
+      figures(report, {{"clock_offset", "sensor against encoders"}, {"clock_offset_standard_error", "+-"}}));
+  add(lines, "accuracy",
+      figures(report, {{"line_residual_rms", "lines fit to RMS"},
+                       {"line_noise", "noise"},
+                       {"surface_residual_rms", "surface to RMS"},
+                       {"between_rows_rms", "between rows RMS"}}));
+  add(lines, "path", pathText(report));
+  add(lines, "reference",
+      figures(report, {{"reference_path_rms", "path off it RMS"},
+                       {"reference_path_largest", "max"},
+                       {"reference_normal_mean", "normals mean"},
+                       {"reference_normal_largest", "max"},
+                       {"reference_scallop_largest", "scallop max"}}));
+  add(lines, "motion",
+      figures(report, {{"duration", "takes"},
+                       {"playback_position", "played back within"},
+                       {"playback_angle", ""},
+                       {"chord_error", "chord error"}}));
   for (const auto& note : report.notes) add(lines, "note", note);
   addLeftOut(lines, report);
   addFailures(lines, report, path, verdicts);

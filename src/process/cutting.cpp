@@ -167,13 +167,14 @@ public:
     planned.path.process = "cutting";
     planned.path.frame = input.frame;
     planned.path.T_contact_tcp = toolpath::ballToolFrame({options_.ball_radius, options_.lead, options_.tilt});
+    planned.passes = passCount(options_);
     planned.figures = rowFigures(rows);
     addRows(planned.path, planned.allowances, rows, scan.T_cloud_scan, options_);
     join(planned, scan, {});
     for (std::size_t s = 0; s < planned.path.segments.size(); ++s) {
       const Segment& segment = planned.path.segments[s];
-      const RowPiece row = {static_cast<int>(s), static_cast<int>(firstContact(segment))};
-      planned.pieces.push_back(toolpath::isRow(segment) ? row : RowPiece{});
+      const RowPart row = {static_cast<int>(s), static_cast<int>(firstContact(segment))};
+      planned.parts.push_back(toolpath::isRow(segment) ? row : RowPart{});
     }
     progress.update("path", 1.0);
     return planned;
@@ -187,13 +188,13 @@ public:
     planned.path.frame = whole.path.frame;
     planned.path.T_contact_tcp = whole.path.T_contact_tcp;
     planned.path.segments = cut.rows;
-    planned.figures = whole.figures;
+    planned.passes = whole.passes;
     if (!cut.rows.empty()) {
-      for (const RowPiece& piece : cut.pieces) {
-        planned.allowances.push_back(whole.allowances[static_cast<std::size_t>(piece.source)]);
+      for (const RowPart& part : cut.parts) {
+        planned.allowances.push_back(whole.allowances[static_cast<std::size_t>(part.source)]);
       }
       join(planned, scanOf(input), rowsOf(whole.path));
-      planned.pieces = withLinksBetween(planned.path, cut.pieces, RowPiece{});
+      planned.parts = withLinksBetween(planned.path, cut.parts, RowPart{});
     }
     progress.update("path", 1.0);
     return planned;

@@ -199,6 +199,12 @@ TEST_F(JobTest, APartialProgramOnlyWhenAskedForAndNeverAgainstATolerance) {
   EXPECT_EQ(report["summary"]["left_out"], report["left_out"].size());
   EXPECT_EQ(report["waypoints"].size(),
             toolpath::waypointCount(toolpath::parseToolPath(file(job, "path.csv"), "path.csv")));
+  EXPECT_FALSE(report["accuracy"].contains("path_scallop"));
+  EXPECT_FALSE(report["accuracy"].contains("path_rows"));
+  EXPECT_EQ(report["accuracy"]["path_waypoints"]["value"], report["waypoints"].size());
+  EXPECT_EQ(report["stages"][2]["name"], "path");
+  EXPECT_EQ(report["stages"][2]["out"], report["waypoints"].size());
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr(" % of the cutting")));
   const double share = report["summary"]["left_out_share"];
   EXPECT_GT(share, 0.1);
   EXPECT_LT(share, 0.9);

@@ -9,6 +9,7 @@
 
 #include "scan_to_path/toolpath/ball_tool.h"
 #include "scan_to_path/toolpath/contact_frame.h"
+#include "scan_to_path/toolpath/modifiers.h"
 #include "small_scan.h"
 #include "support/fitted_scans.h"
 
@@ -101,6 +102,13 @@ protected:
     }
   }
 
+  /// A plate before the shipped arm: nothing fails.
+  void makeFlat() {
+    cell_ = makeCell(CellOptions(), source_package);
+    scan_ = test::fittedScan([](double, double) { return 0.0; }, area, 0.004, 200, 8, T_base_part);
+    whole_ = pathStage(*planner_, scan_, "base_link", options_, {});
+  }
+
   PartialStage partial() const {
     const MotionStage motion = motionStage(airRun(whole_, cell_, options_.program), cell_, options_, {});
     return partialStage(*planner_, whole_, motion, scan_, cell_, options_, {});
@@ -137,13 +145,40 @@ TEST_F(PartialTest, JoiningStraightOverAGapIsSeen) {
   EXPECT_GT(deepest(joined, options_.path.ball_radius), 1e-3);
 }
 
+/// The highest waypoint of the links between pieces of the same row, in the part's frame [m].
+double highestLinkWithin(const ToolPath& path) {
+  double highest = -1.0;
+  for (std::size_t s = 1; s + 1 < path.segments.size(); ++s) {
+    const auto row = [&](std::size_t k) {
+      return path.segments[k].name.substr(0, path.segments[k].name.find("_part"));
+    };
+    if (toolpath::isRow(path.segments[s]) || row(s - 1) != row(s + 1)) continue;
+    for (const auto& waypoint : path.segments[s].waypoints) {
+      highest = std::max(highest, (T_base_part.inverse() * waypoint.pose).translation().z());
+    }
+  }
+  return highest;
+}
+
 TEST_F(PartialTest, LinksClearWhatIsLeftOutToo) {
-  const PartialStage stage = partial();
-  const auto& segments = stage.path.planned.path.segments;
-  const std::string row = whole_.planned.path.segments[static_cast<std::size_t>(blocked_)].name;
-  std::size_t pieces = 0;
-  for (std::size_t s = 0; s < segments.size(); ++s) pieces += segments[s].name.rfind(row + "_part_", 0) == 0 ? 1 : 0;
-  EXPECT_GE(pieces, 2U);  // before and behind the hump
+  constexpr double high = 0.04;  // [m] twice the links' clearance
+  const auto dune = [](double x, double) { return high * std::exp(-std::pow((x - 0.065) / 0.025, 2)); };
+  const auto scan = test::fittedScan(dune, area, 0.004, 200, 8, T_base_part);
+  const auto whole = planner_->plan({&scan, "base_link"}, {});
+  std::set<toolpath::WaypointIndex> left_out;
+  for (int s = 0; s < static_cast<int>(whole.path.segments.size()); ++s) {
+    const auto& segment = whole.path.segments[static_cast<std::size_t>(s)];
+    for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
+      const Vector3 p = (T_base_part.inverse() * segment.waypoints[i].pose).translation();
+      if (toolpath::isContact(segment, i) && p.z() > 0.01) left_out.insert({s, static_cast<int>(i)});
+    }
+  }
+  ToolPath path = planner_->without(whole, left_out, {&scan, "base_link"}, {}).path;
+  const double clearance = options_.path.links.clearance;
+  EXPECT_GE(highestLinkWithin(path), 0.99 * high + clearance);  // the contacts are not on the very top
+  // The mutation twin: links that know only of the rows that are left.
+  path = toolpath::withLinks(path, Vector3::UnitZ(), options_.path.ball_radius, options_.path.links);
+  EXPECT_LT(highestLinkWithin(path), high);
 }
 
 TEST_F(PartialTest, ShortensRowsThatEndOutOfReachAndDropsWhatIsOutOfIt) {
@@ -177,18 +212,33 @@ TEST_F(PartialTest, EveryWaypointIsEitherDrivenOrNamed) {
   count(stage.path.planned.path, driven);
   EXPECT_EQ(planned, driven + stage.left_out.size());
   std::set<Verdict> verdicts;
+  std::set<std::string> reasons;
   for (const auto& left_out : stage.left_out) {
     const auto& verdict = left_out.verdict;
-    const auto& row = whole_.planned.path.segments[static_cast<std::size_t>(verdict.segment)];
-    EXPECT_EQ(row.name, left_out.segment);
-    EXPECT_EQ(row.waypoints[static_cast<std::size_t>(verdict.index)].pose.translation(), left_out.position);
+    const auto& cause = whole_.planned.path.segments[static_cast<std::size_t>(verdict.segment)];
+    EXPECT_EQ(cause.name, left_out.caused_by);
+    EXPECT_EQ(cause.name, left_out.segment);  // there is one pass only
     EXPECT_NE(verdict.verdict, Verdict::ok);
     EXPECT_FALSE(verdict.reason.empty() || verdict.remedy.empty());
-    verdicts.insert(verdict.verdict);
+    if (left_out.kind == LeftOutKind::fails) {
+      EXPECT_EQ(verdict.index, left_out.index);
+      EXPECT_EQ(cause.waypoints[static_cast<std::size_t>(left_out.index)].pose.translation(), left_out.position);
+      verdicts.insert(verdict.verdict);
+    }
+    reasons.insert(left_out.reason);
   }
+  EXPECT_EQ(reasons, (std::set<std::string>{"", "the way to it or from it fails",
+                                            "less than 20.0 mm of the row is left here, or an earlier pass left it "
+                                            "out"}));
   EXPECT_EQ(verdicts.count(Verdict::gouge), 1U);
   EXPECT_EQ(verdicts.count(Verdict::collision), 1U);
   EXPECT_GT(verdicts.size(), 2U);  // and what the arm cannot do
+  for (const char* dropped : {"path_rows", "path_row_distance_median", "path_scallop"}) {
+    EXPECT_TRUE(std::none_of(stage.path.accuracy.begin(), stage.path.accuracy.end(), [&](const auto& figure) {
+      return figure.name == dropped;
+    })) << dropped;
+  }
+  EXPECT_EQ(stage.path.report.out, toolpath::waypointCount(stage.path.planned.path));
   EXPECT_GT(stage.left_out_share, 0.1);
   EXPECT_LT(stage.left_out_share, 0.9);
   RecordProperty("left_out_share", std::to_string(stage.left_out_share));
@@ -249,20 +299,72 @@ TEST_F(PartialTest, AnAirRunThatFailsIsRefusedAndCutsNothingMore) {
   EXPECT_EQ(air.left_out.size(), left_out);
 }
 
-TEST(PartialNotices, NamesStretches) {
-  const auto out = [](int segment, int index, Verdict verdict) {
-    return LeftOut{
-        "row_" + std::to_string(segment), Vector3::Zero(), {segment, index, verdict, -1.0, "m", "why", "how"}};
+TEST_F(PartialTest, NothingIsLeftOutWhenNothingFails) {
+  makeFlat();
+  const PartialStage stage = partial();
+  EXPECT_TRUE(stage.left_out.empty());
+  EXPECT_EQ(stage.refusal, "");
+  EXPECT_EQ(toolpath::waypointCount(stage.path.planned.path), toolpath::waypointCount(whole_.planned.path));
+}
+
+/// A planner on whose paths without something more waypoints fail than on the one before: `growth` times as many.
+class Growing : public process::Planner {
+public:
+  Growing(const process::Planner& planner, std::size_t first, double growth)
+      : planner_(planner), failing_(static_cast<double>(first)), growth_(growth) {}
+  process::PlannedPath plan(const process::PlannerInput& input, const Progress& progress) const override {
+    return planner_.plan(input, progress);
+  }
+  process::PlannedPath without(const process::PlannedPath& whole, const std::set<toolpath::WaypointIndex>& left_out,
+                               const process::PlannerInput& input, const Progress& progress) const override {
+    auto planned = planner_.without(whole, left_out, input, progress);
+    failing_ *= growth_;
+    planned.findings = firstContacts(planned.path, static_cast<std::size_t>(failing_));
+    return planned;
+  }
+  double shortestPiece() const override { return planner_.shortestPiece(); }
+
+  static std::vector<toolpath::WaypointVerdict> firstContacts(const ToolPath& path, std::size_t count) {
+    std::vector<toolpath::WaypointVerdict> findings;
+    for (int s = 0; s < static_cast<int>(path.segments.size()); ++s) {
+      const auto& segment = path.segments[static_cast<std::size_t>(s)];
+      for (std::size_t i = 0; i < segment.waypoints.size() && findings.size() < count; ++i) {
+        if (!toolpath::isContact(segment, i)) continue;
+        findings.push_back({s, static_cast<int>(i), Verdict::collision, -1.0, "m", "another clamp", "move it"});
+      }
+    }
+    return findings;
+  }
+
+private:
+  const process::Planner& planner_;
+  mutable double failing_;
+  double growth_;
+};
+
+TEST_F(PartialTest, CutsThatMakeMoreFailAreRefused) {
+  makeFlat();
+  constexpr std::size_t first = 5;
+  whole_.planned.findings = Growing::firstContacts(whole_.planned.path, first);
+  const MotionStage motion = motionStage(whole_, cell_, options_, {});
+  ASSERT_EQ(failing(motion), first);
+  const auto cut = [&](double growth) {
+    const Growing planner(*planner_, first, growth);
+    return partialStage(planner, whole_, motion, scan_, cell_, options_, {});
   };
-  const std::vector<LeftOut> list = {out(1, 4, Verdict::gouge), out(1, 5, Verdict::gouge), out(1, 7, Verdict::gouge),
-                                     out(3, 8, Verdict::speed)};
-  const auto lines = partialNotices(list, 0.125, 2);
-  ASSERT_EQ(lines.size(), 4U);
-  EXPECT_THAT(lines[0], HasSubstr("PARTIAL PROGRAM: 4 waypoints, 12.50 % of"));
-  EXPECT_EQ(lines[1], "- left out: row_1 waypoints 4 to 5: gouge");
-  EXPECT_EQ(lines[2], "- left out: row_1 waypoints 7 to 7: gouge");
-  EXPECT_EQ(lines[3], "- and 1 stretches more, see report.json");
-  EXPECT_TRUE(partialNotices({}, 0.0).empty());
+  const PartialStage growing = cut(1.5);
+  EXPECT_EQ(growing.refusal.find("once the 5 contacts that fail were left out, 7 others fail"), 0U) << growing.refusal;
+  EXPECT_TRUE(growing.left_out.empty());
+  EXPECT_EQ(failing(growing.motion), first);  // so that nothing is written
+  EXPECT_EQ(toolpath::waypointCount(growing.path.planned.path), toolpath::waypointCount(whole_.planned.path));
+  // Halved each time, 5 + 2 + 1 fail themselves. All are at the start of one row: what goes with them is shorter than a
+  // piece.
+  const PartialStage shrinking = cut(0.5);
+  EXPECT_EQ(shrinking.refusal, "");
+  EXPECT_EQ(failing(shrinking.motion), 0U);
+  std::size_t fails = 0;
+  for (const auto& left_out : shrinking.left_out) fails += left_out.kind == LeftOutKind::fails ? 1 : 0;
+  EXPECT_EQ(fails, 8U);
 }
 
 }  // namespace

@@ -86,6 +86,24 @@ TEST_F(StageRunnerTest, WhoeverRunsTheStagesTheFilesAreTheSame) {
   EXPECT_THAT(readFile(remote.out / "report.json"), ::testing::HasSubstr("\"elsewhere\""));
 }
 
+TEST_F(StageRunnerTest, APartialPathIsReplannedHereWhoeverRunsTheStages) {
+  std::ofstream(directory_ / "groove.csv") << scan::formatSampleLog(smallScan(Groove()));
+  options_.path.ball_radius = 0.0135;
+  for (const double dry_offset : {0.0, 0.05}) {
+    options_.program.dry_offset = dry_offset;
+    JobRequest local = request("groove.csv", "local");
+    JobRequest remote = request("", "remote");
+    local.allow_partial = remote.allow_partial = true;
+    EXPECT_EQ(runJob(local, options_, {}).exit, 1);
+    NotingRunner runner(remote, options_, cell_, scanOf(local));
+    EXPECT_EQ(runJob(remote, options_, cell_, runner, {}).exit, 1);
+    EXPECT_EQ(runner.asked, (std::vector<std::string>{"scan", "fit", "path", "motion"}));
+    for (const char* name : {"path.csv", "trajectory.csv", "pulses.csv"}) {
+      EXPECT_EQ(readFile(remote.out / name), readFile(local.out / name)) << name;
+    }
+  }
+}
+
 TEST_F(StageRunnerTest, AScanKeptAsACloudGivesTheSamePath) {
   // What a cloud file holds is all that the path depends on: float coordinates, times, and the viewing direction.
   const JobRequest log = request("samples.csv", "log");

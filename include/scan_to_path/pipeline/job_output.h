@@ -18,10 +18,14 @@ class JobOutput {
 public:
   void setInput(const JobRequest& request, const JobOptions& options, const JobInput& input);
 
+  /// Takes the place of a stage of the same name.
   void addStage(const StageReport& stage, const std::vector<Accuracy>& accuracy, const std::vector<std::string>& notes);
 
   /// Takes the place of figures of the same name, which are those of an earlier path.
   void setFigures(const std::vector<Accuracy>& figures);
+
+  /// Forgets the figures whose names begin so.
+  void dropFigures(const std::string& prefix);
 
   void addNote(const std::string& note) { report_.notes.push_back(note); }
   void addFile(const std::string& name, std::string content) { files_[name] = std::move(content); }

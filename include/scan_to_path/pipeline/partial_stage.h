@@ -29,7 +29,4 @@ PartialStage partialStage(const process::Planner& planner, const PathStage& whol
                           const scan::FittedScan& scan, const Cell& cell, const JobOptions& options,
                           const Progress& progress);
 
-/// What is left out as lines for a program's header: the share, then a line for each stretch of a row, at most `most`.
-std::vector<std::string> partialNotices(const std::vector<LeftOut>& left_out, double share, std::size_t most = 40);
-
 }  // namespace scan_to_path::pipeline

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,12 +40,20 @@ inline std::optional<double> limitUnlessZero(double limit) {
   return limit > 0.0 ? std::optional<double>(limit) : std::nullopt;
 }
 
-/// A waypoint of the planned path that is not driven, and why. Its verdict's segment and index are those of the path
-/// as planned, which is not the one that is written.
+/// How a waypoint comes to be left out: it fails, the way to or from the row's end that it is at does, or it goes with
+/// others that are left out.
+enum class LeftOutKind { fails, way_fails, with_others };
+
+/// A waypoint of the planned path that is not driven, and why. Segments and indices are those of the path as planned,
+/// which is not the one that is written.
 struct LeftOut {
   std::string segment;  ///< name
+  int index = 0;
   Vector3 position = Vector3::Zero();  ///< of the contact, in the path's frame [m]
-  toolpath::WaypointVerdict verdict;
+  LeftOutKind kind = LeftOutKind::fails;
+  toolpath::WaypointVerdict verdict;  ///< its own when it fails itself, else on what it is left out for
+  std::string caused_by;              ///< name of the verdict's segment
+  std::string reason;                 ///< why it is left out although it does not fail itself; else empty
 };
 
 /// Everything report.json holds (docs/report.schema.json). Nothing in it depends on time, host or thread count.
@@ -69,3 +78,10 @@ std::string formatReport(const Report& report, const std::vector<FieldReference>
                          const toolpath::ToolPath& path, const std::vector<toolpath::WaypointVerdict>& verdicts);
 
 }  // namespace scan_to_path::pipeline
+
+namespace scan_to_path {
+template <>
+struct EnumNames<pipeline::LeftOutKind> {
+  static constexpr std::array<const char*, 3> names = {"fails", "way_fails", "with_others"};
+};
+}  // namespace scan_to_path

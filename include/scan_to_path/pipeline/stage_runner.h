@@ -21,6 +21,8 @@ struct JobInput {
 };
 
 /// Runs the stages of a job in their order. Here they run in this process; who has them run elsewhere overrides them.
+/// path() and motion() are asked for the whole path only: what partialStage plans again, without what fails, is always
+/// planned in this process.
 /// All throw as the stage functions do.
 class StageRunner {
 public:

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scan_to_path/common/progress.h"
-#include "scan_to_path/process/row_pieces.h"
+#include "scan_to_path/process/row_parts.h"
 #include "scan_to_path/scan/fitted_scan.h"
 #include "scan_to_path/toolpath/tool_path.h"
 #include "scan_to_path/toolpath/verdict.h"
@@ -28,13 +28,14 @@ struct Figure {
   std::string unit;
 };
 
-/// A path and what is known against it.
+/// A path and what is known against it. It goes over its rows `passes` times, one pass after the other.
 struct PlannedPath {
   toolpath::ToolPath path;
+  int passes = 1;
   std::vector<toolpath::WaypointVerdict> findings;  ///< waypoints that are not ok (gouge), in path order
   std::vector<Figure> figures;                      ///< rows, pitch, length, scallop height, …
   std::vector<double> allowances;                   ///< stock that each segment leaves on the surface [m]
-  std::vector<RowPiece> pieces;                     ///< where each segment comes from in the path as first planned
+  std::vector<RowPart> parts;                     ///< where each segment comes from in the path as first planned
 };
 
 /// What turns a part into a tool path for one process.
@@ -47,8 +48,8 @@ public:
 
   /// The path `whole`, which plan() made of the same input, without some contacts of its rows: rows are cut there,
   /// stretches shorter than shortestPiece() are left out too, and what leads to, from and between the rest is made
-  /// anew, clear of all that `whole` touches. Findings and figures are those of the path that comes out, which has no
-  /// segments when nothing is left.
+  /// anew, clear of all that `whole` touches. Findings and figures are those of the path that comes out (the rows'
+  /// distances and scallop are the whole path's and left away), which has no segments when nothing is left.
   virtual PlannedPath without(const PlannedPath& whole, const std::set<toolpath::WaypointIndex>& left_out,
                               const PlannerInput& input, const Progress& progress) const = 0;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
-#include "scan_to_path/process/row_pieces.h"
+#include "scan_to_path/process/row_parts.h"
 
 #include "scan_to_path/toolpath/contact_frame.h"
 
@@ -71,7 +71,7 @@ CutRows cutRows(const ToolPath& whole, const std::set<WaypointIndex>& left_out, 
       }
       cut.rows.push_back(piece(row, run));
       if (!is_whole) cut.rows.back().name += "_part_" + std::to_string(part++);
-      cut.pieces.push_back({segment, static_cast<int>(run.begin)});
+      cut.parts.push_back({segment, static_cast<int>(run.begin)});
     }
   }
   return cut;
@@ -96,12 +96,12 @@ CutRows cutPasses(const ToolPath& whole, std::set<WaypointIndex> left_out, int p
   return cut;
 }
 
-std::optional<WaypointIndex> sourceOf(const ToolPath& path, const std::vector<RowPiece>& pieces,
+std::optional<WaypointIndex> sourceOf(const ToolPath& path, const std::vector<RowPart>& parts,
                                       const WaypointIndex& at) {
   const auto s = static_cast<std::size_t>(at.segment);
   const Segment& segment = path.segments[s];
-  if (pieces[s].source < 0 || !toolpath::isContact(segment, static_cast<std::size_t>(at.index))) return std::nullopt;
-  return WaypointIndex{pieces[s].source, pieces[s].first + at.index - static_cast<int>(firstContact(segment))};
+  if (parts[s].source < 0 || !toolpath::isContact(segment, static_cast<std::size_t>(at.index))) return std::nullopt;
+  return WaypointIndex{parts[s].source, parts[s].first + at.index - static_cast<int>(firstContact(segment))};
 }
 
 }  // namespace scan_to_path::process

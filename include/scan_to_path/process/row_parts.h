@@ -11,7 +11,7 @@
 namespace scan_to_path::process {
 
 /// Where a segment's contacts come from in the path as first planned.
-struct RowPiece {
+struct RowPart {
   int source = -1;  ///< segment; -1: no row (approach, link, retract)
   int first = 0;    ///< index there of the segment's first contact
 };
@@ -19,7 +19,7 @@ struct RowPiece {
 /// Rows without leads and links, and where they come from.
 struct CutRows {
   std::vector<toolpath::Segment> rows;
-  std::vector<RowPiece> pieces;
+  std::vector<RowPart> parts;
   std::set<toolpath::WaypointIndex> left_out;  ///< every contact that is in none of the rows
 };
 
@@ -34,7 +34,7 @@ CutRows cutPasses(const toolpath::ToolPath& whole, std::set<toolpath::WaypointIn
                   double shortest);
 
 /// The waypoint of the path as first planned that a waypoint of `path` is; none for what is no contact of a row.
-std::optional<toolpath::WaypointIndex> sourceOf(const toolpath::ToolPath& path, const std::vector<RowPiece>& pieces,
+std::optional<toolpath::WaypointIndex> sourceOf(const toolpath::ToolPath& path, const std::vector<RowPart>& parts,
                                                 const toolpath::WaypointIndex& at);
 
 /// Index of a row's first contact; the number of waypoints when it has none.
