@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "scan_to_path/pipeline/stage_runner.h"
+#include "scan_to_path_ros/stage_results.h"
+
+namespace scan_to_path_ros {
+
+struct ScanWaiting {
+  double first_sample = 10.0;  ///< until the first sample comes [s of wall time]
+  double silence = 2.0;        ///< after the last one, when nobody says that the scan has ended [s of wall time]
+};
+
+/// Has the cell's nodelets run a job's stages: starts the scan, ends it, and takes what they publish.
+class NodeletRunner : public scan_to_path::pipeline::StageRunner {
+public:
+  NodeletRunner(const ros::NodeHandle& nodes, StageResults& results, const ScanWaiting& waiting,
+                const scan_to_path::pipeline::JobRequest& request, const scan_to_path::pipeline::JobOptions& options,
+                const scan_to_path::pipeline::Cell& cell);
+  /// Stops an emulator that still scans.
+  ~NodeletRunner() override;
+
+  void read(const scan_to_path::Progress& progress) override;
+  scan_to_path::pipeline::ScanStage scan(const scan_to_path::Progress& progress) override;
+  scan_to_path::pipeline::JobInput input() const override { return input_; }
+  std::optional<scan_to_path::program::ProgramFile> record() const override { return record_; }
+  scan_to_path::pipeline::FitStage fit(const scan_to_path::pipeline::ScanStage& scanned,
+                                       const scan_to_path::Progress& progress) override;
+  scan_to_path::pipeline::PathStage path(const scan_to_path::process::Planner& planner,
+                                         const scan_to_path::pipeline::FitStage& fitted,
+                                         const scan_to_path::Progress& progress) override;
+  scan_to_path::pipeline::MotionStage motion(const scan_to_path::pipeline::PathStage& driven,
+                                             const scan_to_path::Progress& progress) override;
+
+private:
+  /// Throws InputError with the service's own words when it refuses or is not there.
+  void call(const std::string& service) const;
+
+  ros::NodeHandle nodes_;
+  StageResults& results_;
+  ScanWaiting waiting_;
+  scan_to_path::pipeline::JobInput input_;
+  std::optional<scan_to_path::program::ProgramFile> record_;
+};
+
+}  // namespace scan_to_path_ros

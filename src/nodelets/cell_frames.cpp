@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include <kdl_parser/kdl_parser.hpp>
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+#include <robot_state_publisher/robot_state_publisher.h>
+#include <sensor_msgs/JointState.h>
+#include <tf2_eigen/tf2_eigen.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+
+#include <memory>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path_ros/parameters.h"
+
+namespace scan_to_path_nodelets {
+
+/// The cell in tf2: the robot's links for every joint reading, none left out however fast they come (the node of
+/// robot_state_publisher keeps one and throttles), and the fixed frames sensor, tcp and workpiece.
+class CellFrames : public nodelet::Nodelet {
+  static constexpr int queue = 20000;  ///< joint readings: 20 s at 1 kHz
+
+  void onInit() override {
+    const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
+    const auto path = scan_to_path_ros::packagePath();
+    const auto cell = scan_to_path::pipeline::makeCell(options.cell, path);
+    KDL::Tree tree;
+    urdf::Model model;
+    const auto file = scan_to_path::pipeline::resolveFile(options.cell.robot, path);
+    if (!model.initFile(file.string()) || !kdl_parser::treeFromUrdfModel(model, tree)) {
+      throw scan_to_path::InputError(file.string() + ": no robot that tf2 can show");
+    }
+    robot_ = std::make_unique<robot_state_publisher::RobotStatePublisher>(tree, model);
+    robot_->publishFixedTransforms(true);
+    publishMounts(options.cell, cell);
+    joints_ = getNodeHandle().subscribe("joint_states", queue, &CellFrames::publish, this);
+  }
+
+  void publishMounts(const scan_to_path::pipeline::CellOptions& options, const scan_to_path::pipeline::Cell& cell) {
+    mounts_.sendTransform({mount(options.tip_link, "sensor", cell.T_tip_sensor), mount(options.tip_link, "tcp", cell.T_tip_tcp),
+                           mount(options.base_link, "workpiece", cell.T_base_workpiece)});
+  }
+
+  static geometry_msgs::TransformStamped mount(const std::string& parent, const std::string& child,
+                                               const scan_to_path::geometry::Frame& T) {
+    geometry_msgs::TransformStamped msg = tf2::eigenToTransform(T);
+    msg.header.frame_id = parent;
+    msg.header.stamp = ros::Time::now();
+    msg.child_frame_id = child;
+    return msg;
+  }
+
+  void publish(const sensor_msgs::JointStateConstPtr& joints) {
+    if (joints->name.size() != joints->position.size()) {
+      NODELET_ERROR_THROTTLE(1.0, "joint states with %zu names and %zu positions are left out", joints->name.size(),
+                             joints->position.size());
+      return;
+    }
+    std::map<std::string, double> positions;
+    for (std::size_t i = 0; i < joints->name.size(); ++i) positions.emplace(joints->name[i], joints->position[i]);
+    robot_->publishTransforms(positions, joints->header.stamp);
+  }
+
+  std::unique_ptr<robot_state_publisher::RobotStatePublisher> robot_;
+  tf2_ros::StaticTransformBroadcaster mounts_;
+  ros::Subscriber joints_;
+};
+
+}  // namespace scan_to_path_nodelets
+
+PLUGINLIB_EXPORT_CLASS(scan_to_path_nodelets::CellFrames, nodelet::Nodelet)

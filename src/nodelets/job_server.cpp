@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include <actionlib/server/action_server.h>
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+#include <scan_to_path/RunJobAction.h>
+#include <std_msgs/Empty.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path_ros/nodelet_runner.h"
+#include "scan_to_path_ros/parameters.h"
+
+namespace scan_to_path_nodelets {
+
+/// Runs jobs, one at a time, through the cell's nodelets and writes their files, as the command line would.
+class JobServer : public nodelet::Nodelet {
+  using Server = actionlib::ActionServer<scan_to_path::RunJobAction>;
+  using Goal = Server::GoalHandle;
+
+public:
+  ~JobServer() override {
+    cancelled_ = true;
+    if (worker_.joinable()) worker_.join();
+  }
+
+private:
+  void onInit() override {
+    ros::NodeHandle& own = getPrivateNodeHandle();
+    waiting_.first_sample = own.param("first_sample", waiting_.first_sample);
+    waiting_.silence = own.param("silence", waiting_.silence);
+    results_ = std::make_unique<scan_to_path_ros::StageResults>(getNodeHandle(), own.param("stage_silence", 60.0));
+    cancel_ = getNodeHandle().advertise<std_msgs::Empty>("cancel", 1);
+    server_ = std::make_unique<Server>(
+        own, "run", [this](Goal goal) { accept(goal); }, [this](Goal goal) { cancel(goal); }, false);
+    server_->start();
+  }
+
+  void accept(Goal goal) {
+    if (busy_.exchange(true)) {
+      scan_to_path::RunJobResult result;
+      result.exit = 2;
+      result.summary = {"a job is running; one at a time"};
+      goal.setRejected(result, result.summary.front());
+      return;
+    }
+    if (worker_.joinable()) worker_.join();
+    cancelled_ = false;
+    goal.setAccepted();
+    worker_ = std::thread([this, goal]() mutable {
+      run(goal);
+      busy_ = false;
+    });
+  }
+
+  void cancel(const Goal&) {
+    cancelled_ = true;
+    cancel_.publish(std_msgs::Empty());
+  }
+
+  void run(Goal& goal) {
+    scan_to_path::RunJobResult result;
+    result.out = goal.getGoal()->out;
+    try {
+      scan_to_path_ros::setJob(getNodeHandle(), goal.getGoal()->configuration);
+      const auto done = plan(*goal.getGoal(), progressOf(goal));
+      result.exit = done.exit;
+      result.summary = done.summary;
+    } catch (const scan_to_path::InputError& error) {
+      result.exit = 2;
+      result.summary = {error.what()};
+    } catch (const scan_to_path::Interrupted&) {
+      result.exit = 130;
+      result.summary = {"cancelled"};
+      cancel_.publish(std_msgs::Empty());
+    } catch (const std::exception& error) {
+      result.exit = 3;
+      result.summary = {error.what()};
+    }
+    scan_to_path_ros::clearJob(getNodeHandle());
+    const std::string text = result.summary.empty() ? "" : result.summary.front();
+    if (result.exit == 130) goal.setCanceled(result, text);
+    else if (result.exit > 1) goal.setAborted(result, text);
+    else goal.setSucceeded(result, text);
+  }
+
+  scan_to_path::pipeline::JobResult plan(const scan_to_path::RunJobGoal& goal, const scan_to_path::Progress& progress) {
+    const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
+    scan_to_path::pipeline::validateJob(options);
+    scan_to_path::pipeline::JobRequest request;
+    request.process = goal.process;
+    request.out = goal.out;
+    request.input = request.out / "scan.pcd";  // where NodeletRunner keeps it
+    request.threads = getPrivateNodeHandle().param("threads", 0);
+    request.package_path = scan_to_path_ros::packagePath();
+    const auto cell = scan_to_path::pipeline::makeCell(options.cell, request.package_path);
+    scan_to_path_ros::NodeletRunner stages(getNodeHandle(), *results_, waiting_, request, options, cell);
+    return scan_to_path::pipeline::runJob(request, options, cell, stages, progress);
+  }
+
+  scan_to_path::Progress progressOf(Goal& goal) {
+    return scan_to_path::Progress(
+        [&goal](const std::string& stage, double fraction) {
+          scan_to_path::RunJobFeedback feedback;
+          feedback.stage = stage;
+          feedback.fraction = fraction;
+          goal.publishFeedback(feedback);
+        },
+        &cancelled_);
+  }
+
+  scan_to_path_ros::ScanWaiting waiting_;
+  std::unique_ptr<scan_to_path_ros::StageResults> results_;
+  ros::Publisher cancel_;
+  std::unique_ptr<Server> server_;
+  std::atomic<bool> busy_{false};
+  std::atomic<bool> cancelled_{false};
+  std::thread worker_;
+};
+
+}  // namespace scan_to_path_nodelets
+
+PLUGINLIB_EXPORT_CLASS(scan_to_path_nodelets::JobServer, nodelet::Nodelet)

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path_ros/nodelet_runner.h"
+
+#include <ros/service.h>
+#include <std_srvs/Trigger.h>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/scan/cloud_io.h"
+#include "scan_to_path_ros/conversions.h"
+
+namespace scan_to_path_ros {
+namespace {
+
+namespace pipeline = scan_to_path::pipeline;
+
+constexpr const char* emulator_start = "scan_emulator/start";
+constexpr const char* emulator_stop = "scan_emulator/stop";
+
+}  // namespace
+
+NodeletRunner::NodeletRunner(const ros::NodeHandle& nodes, StageResults& results, const ScanWaiting& waiting,
+                             const pipeline::JobRequest& request, const pipeline::JobOptions& options,
+                             const pipeline::Cell& cell)
+    : StageRunner(request, options, cell), nodes_(nodes), results_(results), waiting_(waiting) {}
+
+NodeletRunner::~NodeletRunner() {
+  std_srvs::Trigger stop;
+  if (ros::service::exists(nodes_.resolveName(emulator_stop), false)) ros::service::call(nodes_.resolveName(emulator_stop), stop);
+}
+
+void NodeletRunner::call(const std::string& service) const {
+  const std::string name = nodes_.resolveName(service);
+  std_srvs::Trigger trigger;
+  if (!ros::service::call(name, trigger)) throw scan_to_path::InputError(name + ": nobody answers; is its nodelet running?");
+  if (trigger.response.success == 0) throw scan_to_path::InputError(name + ": " + trigger.response.message);
+}
+
+void NodeletRunner::read(const scan_to_path::Progress& progress) {
+  progress.update("scan", 0.0);
+  results_.clear();
+  call("scan_accumulator/start");
+  // A cell with a real robot has no emulator: its samples come when the robot moves.
+  if (ros::service::exists(nodes_.resolveName(emulator_start), false)) call(emulator_start);
+}
+
+pipeline::ScanStage NodeletRunner::scan(const scan_to_path::Progress& progress) {
+  results_.waitForScan(progress, waiting_.first_sample, waiting_.silence);
+  call("scan_accumulator/finish");
+  const auto info = results_.scanInfo(progress);
+  auto stage = scanStage(*results_.cloud(progress), *info);
+  scan_to_path::geometry::Frame T_cloud_sensor = scan_to_path::geometry::Frame::Identity();
+  T_cloud_sensor.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), stage.mean_beam).toRotationMatrix();
+  record_ = {"scan.pcd", scan_to_path::scan::formatPcd(stage.cloud, T_cloud_sensor)};
+  input_ = {record_->name, scan_to_path::sha256(record_->content), pipeline::InputKind::cloud, pipeline::Units::m};
+  return stage;
+}
+
+pipeline::FitStage NodeletRunner::fit(const pipeline::ScanStage&, const scan_to_path::Progress& progress) {
+  return fromMsg(*results_.fittedScan(progress));
+}
+
+pipeline::PathStage NodeletRunner::path(const scan_to_path::process::Planner&, const pipeline::FitStage&,
+                                        const scan_to_path::Progress& progress) {
+  return fromMsg(*results_.plannedPath(progress));
+}
+
+pipeline::MotionStage NodeletRunner::motion(const pipeline::PathStage&, const scan_to_path::Progress& progress) {
+  return fromMsg(*results_.motionPlan(progress));
+}
+
+}  // namespace scan_to_path_ros

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path_ros/parameters.h"
+
+#include <ros/package.h>
+
+#include <cstdio>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
+#include "scan_to_path/pipeline/configuration.h"
+
+namespace scan_to_path_ros {
+namespace {
+
+using scan_to_path::InputError;
+using XmlRpc::XmlRpcValue;
+
+constexpr const char* cell_parameter = "configuration";
+constexpr const char* job_parameter = "job";
+
+std::string quoted(const std::string& text) {
+  std::string yaml = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') yaml += '\\';
+    if (c == '\n') {
+      yaml += "\\n";
+    } else {
+      yaml += c;
+    }
+  }
+  return yaml + "\"";
+}
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+/// Elements between brackets, separated by commas.
+template <class Values, class Write>
+std::string flow(char open, const Values& values, char close, Write write) {
+  std::string yaml(1, open);
+  for (const auto& value : values) yaml += (yaml.size() > 1 ? ", " : "") + write(value);
+  return yaml + close;
+}
+
+void apply(const std::vector<scan_to_path::pipeline::FieldReference>& fields, const ros::NodeHandle& nodes,
+           const std::string& parameter) {
+  XmlRpcValue tree;
+  if (!nodes.getParam(parameter, tree)) return;
+  if (tree.getType() == XmlRpcValue::TypeString) {
+    scan_to_path::pipeline::applyYaml(fields, static_cast<std::string>(tree), "parameter " + nodes.resolveName(parameter));
+  } else {
+    scan_to_path::pipeline::applyYaml(fields, toYaml(tree), "parameter " + nodes.resolveName(parameter));
+  }
+}
+
+}  // namespace
+
+std::string toYaml(const XmlRpcValue& value) {
+  XmlRpcValue copy = value;  // XmlRpcValue has no const access
+  switch (copy.getType()) {
+    case XmlRpcValue::TypeBoolean: return static_cast<bool>(copy) ? "true" : "false";
+    case XmlRpcValue::TypeInt: return std::to_string(static_cast<int>(copy));
+    case XmlRpcValue::TypeDouble: return number(static_cast<double>(copy));
+    case XmlRpcValue::TypeString: return quoted(static_cast<std::string>(copy));
+    case XmlRpcValue::TypeArray: {
+      std::vector<XmlRpcValue> elements;
+      for (int i = 0; i < copy.size(); ++i) elements.push_back(copy[i]);
+      return flow('[', elements, ']', [](const XmlRpcValue& element) { return toYaml(element); });
+    }
+    case XmlRpcValue::TypeStruct:
+      return flow('{', copy, '}', [](const auto& entry) { return quoted(entry.first) + ": " + toYaml(entry.second); });
+    default: throw InputError("a parameter is of a type that no configuration has (binary, date or nothing)");
+  }
+}
+
+scan_to_path::pipeline::JobOptions readJobOptions(const ros::NodeHandle& nodes) {
+  scan_to_path::pipeline::JobOptions options;
+  const auto fields = scan_to_path::pipeline::fieldReferences(options);
+  apply(fields, nodes, cell_parameter);
+  apply(fields, nodes, job_parameter);
+  return options;
+}
+
+void setJob(const ros::NodeHandle& nodes, const std::string& yaml) {
+  scan_to_path::pipeline::JobOptions options = readJobOptions(nodes);
+  scan_to_path::pipeline::applyYaml(scan_to_path::pipeline::fieldReferences(options), yaml, "the job's configuration");
+  nodes.setParam(job_parameter, yaml);
+}
+
+void clearJob(const ros::NodeHandle& nodes) { nodes.deleteParam(job_parameter); }
+
+std::vector<std::filesystem::path> packagePath() {
+  std::vector<std::filesystem::path> directories;
+  const std::string own = ros::package::getPath("scan_to_path");
+  if (!own.empty()) directories.emplace_back(own);
+  const char* path = std::getenv("ROS_PACKAGE_PATH");
+  const std::string list = path == nullptr ? "" : path;
+  for (const auto directory : scan_to_path::split(list, ':')) {
+    if (!directory.empty()) directories.emplace_back(directory);
+  }
+  return directories;
+}
+
+}  // namespace scan_to_path_ros
