@@ -5,31 +5,26 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
 #include <scan_to_path/ScanSamples.h>
-#include <tf2/buffer_core.h>
 
 #include <deque>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "scan_to_path/pipeline/stages.h"
 #include "scan_to_path/scan/scan_cloud.h"
+#include "scan_to_path_ros/transform_history.h"
 
 namespace scan_to_path_ros {
 
 namespace core = scan_to_path;
 
-struct SamplePlacerOptions {
-  std::string base_frame = "base_link";
-  std::string sensor_frame = "sensor";
-  double max_joint_gap = 0.05;  ///< a sample between transforms farther apart is dropped [s]
-  double max_wait = 1.0;        ///< a sample this much older than the newest one waits no longer for its transform [s]
-  double clock_offset = 0.0;    ///< added to the sensor's stamps to get tf's [s]
-  double cache = 60.0;          ///< tf history kept [s]
+struct SamplePlacerOptions : TransformHistoryOptions {
+  double max_wait = 1.0;      ///< a sample this much older than the newest one waits no longer for its transform [s]
+  double clock_offset = 0.0;  ///< added to the sensor's stamps to get tf's [s]
 };
 
-/// Places range samples in the base frame by tf2 at each sample's own stamp: it waits for transforms that are late,
-/// never uses a stale one, and counts what it leaves out. Not thread-safe.
+/// Places range samples in the base frame by tf2 at each sample's own stamp: it waits for transforms that are late or
+/// out of order, never uses a stale one, nor one across a gap or a jump, and counts what it leaves out. When the
+/// transforms' clock goes back it forgets those of the time that never was, and the scan fails. Not thread-safe.
 class SamplePlacer {
 public:
   explicit SamplePlacer(const SamplePlacerOptions& options);
@@ -40,7 +35,8 @@ public:
   void addTransform(const geometry_msgs::TransformStamped& transform, bool is_static);
 
   /// Samples are placed as soon as transforms on both sides of their stamp are there. Throws InputError for a message
-  /// of another frame, sizes that do not fit, offsets that do not rise, stamps before those that came already.
+  /// of another frame, sizes that do not fit, offsets that do not rise, stamps before those that came already; its
+  /// samples are counted as "refused".
   void addSamples(const core::ScanSamples& samples);
 
   /// Gives up on samples that still wait, counting them as "no transform".
@@ -56,7 +52,7 @@ public:
   ros::Time start() const { return start_; }
 
   /// Cloud, viewing direction and counts, as the fit takes them; the placer is empty afterwards.
-  /// Throws InputError when nothing could be placed, saying why.
+  /// Throws InputError when nothing could be placed, saying why, or the clock went back on the way.
   core::pipeline::ScanStage take();
 
 private:
@@ -71,13 +67,12 @@ private:
   void addPoint(const Sample& sample, const ros::Time& stamp);
   void placeWaiting();
   void drop(const char* reason);
-  bool isInGap(const ros::Time& stamp) const;
-  void findMovingFrame();
+  void giveUp(const char* reason);
+  void check(const core::ScanSamples& samples) const;
 
   SamplePlacerOptions options_;
-  tf2::BufferCore buffer_;
-  std::map<std::string, std::deque<ros::Time>> stamps_;  ///< of each moving frame's transforms, rising
-  std::string moving_frame_;  ///< the frame nearest to the sensor that moves; empty while not known
+  TransformHistory transforms_;
+  ros::Duration went_back_;  ///< how far the transforms' clock went back
   std::deque<Sample> waiting_;
   core::scan::ScanCloud cloud_;
   core::geometry::Vector3 beam_sum_ = core::geometry::Vector3::Zero();

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include "scan_to_path_ros/transform_history.h"
+
+#include <tf2/exceptions.h>
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace scan_to_path_ros {
+
+using scan_to_path::geometry::Frame;
+using scan_to_path::geometry::Vector3;
+
+TransformHistory::TransformHistory(const TransformHistoryOptions& options)
+    : options_(options), buffer_(ros::Duration(options.cache)) {}
+
+void TransformHistory::setOptions(const TransformHistoryOptions& options) {
+  const double cache = options_.cache;
+  options_ = options;
+  options_.cache = cache;
+  moving_frame_.clear();
+  step_ = Step();
+}
+
+ros::Duration TransformHistory::add(const geometry_msgs::TransformStamped& transform, bool is_static) {
+  const ros::Time stamp = transform.header.stamp;
+  ros::Duration went_back;
+  const auto known = stamps_.find(transform.child_frame_id);
+  if (known != stamps_.end() && known->second.back() - stamp > ros::Duration(options_.max_disorder)) {
+    went_back = known->second.back() - stamp;
+    buffer_.clear();  // static ones stay
+    stamps_.clear();
+    step_ = Step();
+  }
+  if (!buffer_.setTransform(transform, "tf", is_static) || is_static) return went_back;
+  Stamps& stamps = stamps_[transform.child_frame_id];
+  stamps.insert(std::upper_bound(stamps.begin(), stamps.end(), stamp), stamp);
+  while (stamps.back() - stamps.front() > ros::Duration(options_.cache)) stamps.pop_front();
+  return went_back;
+}
+
+TransformHistory::Reach TransformHistory::reach(const ros::Time& stamp) {
+  if (moving_frame_.empty() && !findMovingFrame()) return Reach::not_yet;
+  const auto found = stamps_.find(moving_frame_);
+  if (found == stamps_.end() || found->second.back() < stamp) return Reach::not_yet;
+  const Stamps& stamps = found->second;
+  if (stamp < stamps.front()) return Reach::before_first;
+  const auto after = std::lower_bound(stamps.begin(), stamps.end(), stamp);
+  if (after == stamps.begin()) return Reach::known;
+  const ros::Time before = *std::prev(after);
+  if (*after != stamp && *after - before > ros::Duration(options_.max_joint_gap)) return Reach::gap;
+  return jumps(before, *after) ? Reach::jump : Reach::known;
+}
+
+/// Looks at a point before the sensor, so that a jump that only turns it shows as well.
+bool TransformHistory::jumps(const ros::Time& before, const ros::Time& after) {
+  const Vector3 ahead(0.0, 0.0, 0.1);  // [m]
+  if (before == step_.before && after == step_.after) return step_.jumps;
+  try {
+    const Vector3 p_before = before == step_.after ? step_.p_after : sensorAt(before) * ahead;
+    const Vector3 p_after = sensorAt(after) * ahead;
+    step_ = {before, after, p_after, (p_after - p_before).norm() > options_.max_speed * (after - before).toSec()};
+    return step_.jumps;
+  } catch (const tf2::TransformException&) {
+    return false;  // what is missing is found missing when the sensor is asked for
+  }
+}
+
+Frame TransformHistory::sensorAt(const ros::Time& stamp) const {
+  return tf2::transformToEigen(buffer_.lookupTransform(options_.base_frame, options_.sensor_frame, stamp));
+}
+
+bool TransformHistory::findMovingFrame() {
+  std::string frame = options_.sensor_frame;
+  std::string parent;
+  while (frame != options_.base_frame) {
+    if (stamps_.count(frame) > 0) {
+      moving_frame_ = frame;
+      return true;
+    }
+    if (!buffer_._getParent(frame, ros::Time(), parent)) return false;
+    frame = parent;
+  }
+  return false;
+}
+
+}  // namespace scan_to_path_ros
