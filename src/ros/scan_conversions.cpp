@@ -35,8 +35,8 @@ core::scan::FittedLine fromLine(const core::FittedLine& msg) {
   line.begin = msg.begin;
   line.end = msg.end;
   if (!(line.begin >= line.curve.first() && line.begin <= line.end && line.end <= line.curve.last())) {
-    throw InputError("fitted line of row " + std::to_string(msg.row) + ": begin " + std::to_string(msg.begin) + " and end " +
-                     std::to_string(msg.end) + " must lie in the curve's parameters, in this order");
+    throw InputError("fitted line of row " + std::to_string(msg.row) + ": begin " + std::to_string(msg.begin) +
+                     " and end " + std::to_string(msg.end) + " must lie in the curve's parameters, in this order");
   }
   line.begins_at_edge = msg.begins_at_edge != 0;
   line.ends_at_edge = msg.ends_at_edge != 0;
@@ -83,7 +83,8 @@ core::pipeline::ScanStage scanStage(const core::scan::ScanCloud& cloud, const co
   stage.cloud = cloud;
   stage.mean_beam = fromVector(info.mean_beam);
   if (!(std::abs(stage.mean_beam.norm() - 1.0) <= 1e-6)) {
-    throw InputError("scan_info: mean_beam has length " + std::to_string(stage.mean_beam.norm()) + ", must be 1 within 1e-6");
+    throw InputError("scan_info: mean_beam has length " + std::to_string(stage.mean_beam.norm()) +
+                     ", must be 1 within 1e-6");
   }
   stage.report = stageReport(info.report);
   stage.accuracy = accuracy(info.report);
@@ -98,8 +99,9 @@ core::FittedScan toMsg(const core::pipeline::FitStage& stage, const std_msgs::He
   msg.scan_frame = toPose(scan.T_cloud_scan);
   msg.lines = converted<core::FittedLine>(scan.lines, [](const auto& line) { return toLine(line); });
   msg.surface = toMsg(scan.surface);
-  msg.outline = converted<core::OutlinePolygon>(scan.outline.polygons, [](const auto& polygon) { return toPolygon(polygon); });
-  msg.report = toMsg(stage.report, stage.accuracy, {}, header);
+  msg.outline =
+      converted<core::OutlinePolygon>(scan.outline.polygons, [](const auto& polygon) { return toPolygon(polygon); });
+  msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   msg.samples_in = scan.samples_in;
   msg.samples_used = scan.samples_used;
   msg.pitch = scan.pitch;
@@ -120,6 +122,7 @@ core::pipeline::FitStage fromMsg(const core::FittedScan& msg) {
       converted<std::vector<Eigen::Vector2d>>(msg.outline, [](const auto& polygon) { return fromPolygon(polygon); });
   stage.report = stageReport(msg.report);
   stage.accuracy = accuracy(msg.report);
+  stage.notes = msg.report.notes;
   scan.dropped = stage.report.dropped;
   scan.samples_in = msg.samples_in;
   scan.samples_used = msg.samples_used;
