@@ -21,6 +21,7 @@ namespace scan_to_path_rviz {
 namespace {
 
 constexpr int look_period = 200;  // [ms]
+constexpr int full = 100;         // of the progress bar
 
 /// A field of the panel that the rviz configuration keeps.
 QLineEdit* lineEdit(QWidget* parent, const char* name, const QString& text, const char* tip) {
@@ -40,7 +41,7 @@ QPushButton* button(QWidget* parent, const char* name, const char* text, const c
 }  // namespace
 
 JobPanel::JobPanel(QWidget* parent) : rviz::Panel(parent) {
-  setLayout(new QVBoxLayout(this));
+  column_ = new QVBoxLayout(this);
   addFields();
   addButtons();
   addResult();
@@ -68,7 +69,7 @@ void JobPanel::addFields() {
   form->addRow("Process", process_);
   form->addRow("Out", out_);
   form->addRow("Options", configuration_);
-  layout()->addItem(form);
+  column_->addLayout(form);
   for (auto* edit : {server_, process_, out_}) {
     connect(edit, &QLineEdit::textEdited, this, [this] { Q_EMIT configChanged(); });
   }
@@ -81,7 +82,7 @@ void JobPanel::addButtons() {
   cancel_ = button(this, "cancel", "Cancel", "end the job that runs; an older result stays");
   auto* buttons = new QHBoxLayout;
   for (auto* made : {run_, play_, cancel_}) buttons->addWidget(made);
-  layout()->addItem(buttons);
+  column_->addLayout(buttons);
   connect(run_, &QPushButton::clicked, this, [this] { run(); });
   connect(play_, &QPushButton::clicked, this, [this] { playOrStop(); });
   connect(cancel_, &QPushButton::clicked, this, [this] { cancel(); });
@@ -90,7 +91,7 @@ void JobPanel::addButtons() {
 void JobPanel::addResult() {
   progress_ = new QProgressBar(this);
   progress_->setObjectName("progress");
-  progress_->setRange(0, 100);
+  progress_->setRange(0, full);
   state_text_ = new QLabel(this);
   state_text_->setObjectName("state");
   error_ = new QLabel(this);
@@ -101,9 +102,11 @@ void JobPanel::addResult() {
   summary_ = new QPlainTextEdit(this);
   summary_->setObjectName("summary");
   summary_->setReadOnly(true);
+  summary_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  summary_->setLineWrapMode(QPlainTextEdit::NoWrap);
   for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(state_text_),
                           static_cast<QWidget*>(error_), static_cast<QWidget*>(summary_)}) {
-    layout()->addWidget(widget);
+    column_->addWidget(widget);
   }
 }
 
@@ -166,7 +169,7 @@ void JobPanel::run() {
   }
   showError("");
   summary_->clear();
-  progress_->setValue(0);
+  progress_->reset();
   state_ = State::running;
   state_text_->setText("waiting for the job to begin");
   client_->run(goal);
@@ -188,17 +191,19 @@ void JobPanel::cancel() {
 
 void JobPanel::showProgress(const std::string& stage, double fraction) {
   if (state_ != State::running) return;
-  progress_->setValue(qBound(0, qRound(100.0 * fraction), 100));
+  progress_->setMaximum(fraction > 0.0 ? full : 0);  // a stage that cannot tell how far it is: just busy
+  progress_->setValue(qBound(0, qRound(full * fraction), full));
   state_text_->setText(QString::fromStdString(stage));
 }
 
 void JobPanel::showEnd(const JobEnd& end) {
   state_ = State::idle;
+  progress_->setMaximum(full);
   if (end.exit > 1) {
-    progress_->setValue(0);
+    progress_->reset();
     showError(end.summary.empty() ? "the job failed" : end.summary.front());
   } else {
-    progress_->setValue(progress_->maximum());
+    progress_->setValue(full);
     QStringList lines;
     for (const auto& line : end.summary) lines << QString::fromStdString(line);
     lines << QString::fromStdString("results in " + end.out);

@@ -16,6 +16,7 @@ class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTimer;
+class QVBoxLayout;
 
 namespace scan_to_path_rviz {
 
@@ -46,6 +47,7 @@ private:
   void showEnd(const JobEnd& end);
   void showError(const std::string& text);
 
+  QVBoxLayout* column_ = nullptr;
   QLineEdit* server_ = nullptr;
   QLineEdit* process_ = nullptr;
   QLineEdit* out_ = nullptr;
