@@ -1,19 +1,44 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
-#include <kdl_parser/kdl_parser.hpp>
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <robot_state_publisher/robot_state_publisher.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_eigen/tf2_eigen.h>
-#include <tf2_ros/static_transform_broadcaster.h>
+#include <kdl_parser/kdl_parser.hpp>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/robot/kdl_chain.h"
 #include "scan_to_path_ros/parameters.h"
 
 namespace scan_to_path_nodelets {
+
+/// A frame that stays where it is in another.
+geometry_msgs::TransformStamped fixedFrame(const std::string& parent, const std::string& child,
+                                           const scan_to_path::geometry::Frame& T) {
+  geometry_msgs::TransformStamped msg = tf2::eigenToTransform(T);
+  msg.header.frame_id = parent;
+  msg.header.stamp = ros::Time::now();
+  msg.child_frame_id = child;
+  return msg;
+}
+
+/// The robot's links in tf2. All that is fixed goes out in one message: of a latched topic, whoever comes late gets the
+/// last message alone.
+class RobotFrames : public robot_state_publisher::RobotStatePublisher {
+public:
+  using RobotStatePublisher::RobotStatePublisher;
+
+  void publishFixed(std::vector<geometry_msgs::TransformStamped> mounts) {
+    for (const auto& entry : segments_fixed_) {
+      const auto& segment = entry.second;
+      mounts.push_back(fixedFrame(segment.root, segment.tip, scan_to_path::robot::fromKdl(segment.segment.pose(0))));
+    }
+    static_tf_broadcaster_.sendTransform(mounts);
+  }
+};
 
 /// The cell in tf2: the robot's links for every joint reading, none left out however fast they come (the node of
 /// robot_state_publisher keeps one and throttles), and the fixed frames sensor, tcp and workpiece.
@@ -30,24 +55,15 @@ class CellFrames : public nodelet::Nodelet {
     if (!model.initFile(file.string()) || !kdl_parser::treeFromUrdfModel(model, tree)) {
       throw scan_to_path::InputError(file.string() + ": no robot that tf2 can show");
     }
-    robot_ = std::make_unique<robot_state_publisher::RobotStatePublisher>(tree, model);
-    robot_->publishFixedTransforms(true);
-    publishMounts(options.cell, cell);
+    robot_ = std::make_unique<RobotFrames>(tree, model);
+    publishFixed(options.cell, cell);
     joints_ = getNodeHandle().subscribe("joint_states", queue, &CellFrames::publish, this);
   }
 
-  void publishMounts(const scan_to_path::pipeline::CellOptions& options, const scan_to_path::pipeline::Cell& cell) {
-    mounts_.sendTransform({mount(options.tip_link, "sensor", cell.T_tip_sensor), mount(options.tip_link, "tcp", cell.T_tip_tcp),
-                           mount(options.base_link, "workpiece", cell.T_base_workpiece)});
-  }
-
-  static geometry_msgs::TransformStamped mount(const std::string& parent, const std::string& child,
-                                               const scan_to_path::geometry::Frame& T) {
-    geometry_msgs::TransformStamped msg = tf2::eigenToTransform(T);
-    msg.header.frame_id = parent;
-    msg.header.stamp = ros::Time::now();
-    msg.child_frame_id = child;
-    return msg;
+  void publishFixed(const scan_to_path::pipeline::CellOptions& options, const scan_to_path::pipeline::Cell& cell) {
+    robot_->publishFixed({fixedFrame(options.tip_link, "sensor", cell.T_tip_sensor),
+                          fixedFrame(options.tip_link, "tcp", cell.T_tip_tcp),
+                          fixedFrame(options.base_link, "workpiece", cell.T_base_workpiece)});
   }
 
   void publish(const sensor_msgs::JointStateConstPtr& joints) {
@@ -61,8 +77,7 @@ class CellFrames : public nodelet::Nodelet {
     robot_->publishTransforms(positions, joints->header.stamp);
   }
 
-  std::unique_ptr<robot_state_publisher::RobotStatePublisher> robot_;
-  tf2_ros::StaticTransformBroadcaster mounts_;
+  std::unique_ptr<RobotFrames> robot_;
   ros::Subscriber joints_;
 };
 
