@@ -6,6 +6,8 @@
 #include <ros/publisher.h>
 #include <ros/subscriber.h>
 #include <ros/wall_timer.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Bool.h>
 #include <std_msgs/Header.h>
 
 #include <atomic>
@@ -14,30 +16,33 @@
 #include <string>
 #include <thread>
 
-#include "scan_to_path/pipeline/cell.h"
-#include "scan_to_path/scan/sample_log.h"
+#include "scan_to_path_ros/recording.h"
 
 namespace scan_to_path_ros {
 
 struct LogPlayerOptions {
-  bool real_time = false;        ///< at the log's own pace on the wall's clock; else as fast as it is taken, on /clock
-  double batch = 0.02;           ///< length of one message of samples [s]
-  double window = 0.05;          ///< how far it runs ahead of scan_acknowledged when not in real time [s]
-  double timeout = 10.0;         ///< without an acknowledgement, or a listener, after which it gives up [s of wall time]
+  bool real_time = false;  ///< at the log's own pace on the wall's clock; else as fast as it is taken, on /clock
+  double batch = 0.02;     ///< length of one message of samples [s]
+  double window = 0.05;    ///< how far it runs ahead of scan_acknowledged when not in real time [s]
+  double timeout = 10.0;   ///< without an acknowledgement, or a listener, after which it gives up [s of wall time]
+  double settle = 0.5;  ///< from where the robot stood to the first stamp: more than scan.placement.max_joint_gap [s]
+  double idle_period = 0.25;  ///< of the joint states while nothing is played [s]
   std::string sensor_frame = "sensor";
 };
 
-/// Plays a sample log as a robot and its sensor would speak: joint_states and scan_samples, each with its own stamps.
+/// Plays a recording as a robot and its sensor would speak: joint_states and scan_samples, each with its own stamps.
 /// Without real time it publishes /clock too, which goes on at the wall's pace while nothing is played, and waits for
-/// scan_acknowledged, so that nobody's queue overflows.
+/// scan_acknowledged, so that nobody's queue overflows. While nothing is played the robot stands where it was last;
+/// it is silent while playback_active says that a trajectory is shown.
 class LogPlayer {
 public:
-  LogPlayer(const ros::NodeHandle& nodes, const LogPlayerOptions& options);
+  /// The robot stands with its joints at 0, or where the limits are nearest to 0.
+  LogPlayer(const ros::NodeHandle& nodes, const LogPlayerOptions& options, const scan_to_path::robot::Robot& robot);
   ~LogPlayer();
 
   /// Starts in a thread of its own; scan_finished (the last sample's stamp) or the error ends it. Throws InputError
   /// when it plays already.
-  void start(scan_to_path::scan::SampleLog log, const scan_to_path::pipeline::Cell& cell);
+  void start(Recording recording);
 
   /// Ends playing; nothing more is published afterwards.
   void stop();
@@ -48,16 +53,16 @@ public:
   std::string error() const;
 
 private:
-  struct Log;
-
-  void play(const Log& log);
+  void advertise(ros::NodeHandle& nodes);
+  void play(const Recording& recording);
   bool waitForListeners();
   bool waitUntilTaken(const ros::Time& stamp);
   bool pause(double seconds);
-  void publishJoints(const Log& log, std::size_t reading, const ros::Time& begin);
-  void publishSamples(const Log& log, std::size_t first, std::size_t last, const ros::Time& begin);
+  void publishJoints(const Recording& recording, std::size_t reading, const ros::Time& begin);
+  void publishSamples(const Recording& recording, std::size_t first, std::size_t last, const ros::Time& begin);
   void fail(const std::string& error);
   void tick(const ros::Time& now);
+  void idle();
 
   LogPlayerOptions options_;
   ros::Publisher joints_;
@@ -65,13 +70,17 @@ private:
   ros::Publisher clock_;
   ros::Publisher finished_;
   ros::Subscriber acknowledged_;
+  ros::Subscriber shown_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   ros::Time taken_;
   std::string error_;
   bool stopping_ = false;
   std::atomic<bool> playing_{false};
-  ros::Time now_{1.0};  ///< simulated; tf2 takes nothing at 0
+  ros::Time now_{1.0};            ///< simulated; tf2 takes nothing at 0
+  sensor_msgs::JointState pose_;  ///< the robot's last
+  bool playback_active_ = false;
+  ros::WallTime idle_until_;  ///< of the next joint state while idle
   ros::WallTimer idle_;
   std::thread thread_;
 };

@@ -19,14 +19,22 @@ namespace scan_to_path_ros {
 /// Throws InputError for a type that YAML does not know (binary, date).
 std::string toYaml(const XmlRpc::XmlRpcValue& value);
 
+/// Overwrites the options that a parameter names: a tree, or a text in YAML. Throws InputError as a configuration
+/// file's reader does, naming the parameter.
+void applyParameter(scan_to_path::pipeline::JobOptions& options, const XmlRpc::XmlRpcValue& tree,
+                    const std::string& name);
+
 /// Options from the defaults, `configuration` and `job`. Throws InputError as a configuration file's reader does,
-/// naming the parameter.
+/// naming the parameter, and when no master answers.
 scan_to_path::pipeline::JobOptions readJobOptions(const ros::NodeHandle& nodes);
 
-/// Lays a YAML text over the cell's configuration until clearJob; an empty text lays nothing. Throws InputError, and
-/// changes nothing, when the text is not a configuration.
-void setJob(const ros::NodeHandle& nodes, const std::string& yaml);
+/// Lays a YAML text over the cell's configuration until clearJob; an empty text lays nothing. With a bag the job's
+/// scan is that recording. Throws InputError, and changes nothing, when the text is not a configuration.
+void setJob(const ros::NodeHandle& nodes, const std::string& yaml, const std::string& bag = "");
 void clearJob(const ros::NodeHandle& nodes);
+
+/// The recording that is the scan of the job under way; empty: it is a scan.
+std::string jobBag(const ros::NodeHandle& nodes);
 
 /// Where package:// addresses are looked up: ROS_PACKAGE_PATH.
 std::vector<std::filesystem::path> packagePath();

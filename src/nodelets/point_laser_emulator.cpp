@@ -3,8 +3,8 @@
 #include <nodelet/nodelet.h>
 #include <pcl/point_types.h>
 #include <pcl_ros/point_cloud.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <std_srvs/Trigger.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
 
@@ -18,16 +18,21 @@
 namespace scan_to_path_nodelets {
 
 /// A robot that carries a point laser over a part: joint states and range samples with every error of the emulation,
-/// the same samples as `scan_to_path emulate` writes. The truth goes to ~truth alone.
+/// the same samples as `scan_to_path emulate` writes; or what a bag recorded. The truth goes to ~truth alone.
 class PointLaserEmulator : public nodelet::Nodelet {
+  static constexpr const char* sensor_frame = "sensor";
+
   void onInit() override {
     ros::NodeHandle& own = getPrivateNodeHandle();
     scan_to_path_ros::LogPlayerOptions options;
+    options.sensor_frame = sensor_frame;
     options.real_time = own.param("real_time", options.real_time);
     options.batch = own.param("batch", options.batch);
     options.window = own.param("window", options.window);
     options.timeout = own.param("timeout", options.timeout);
-    player_ = std::make_unique<scan_to_path_ros::LogPlayer>(getMTNodeHandle(), options);
+    const auto cell = scan_to_path::pipeline::makeCell(scan_to_path_ros::readJobOptions(getNodeHandle()).cell,
+                                                       scan_to_path_ros::packagePath());
+    player_ = std::make_unique<scan_to_path_ros::LogPlayer>(getMTNodeHandle(), options, cell.robot);
     truth_ = own.advertise<pcl::PointCloud<pcl::PointXYZ>>("truth/surface", 1, true);
     start_ = getNodeHandle().advertiseService("scan_emulator/start", &PointLaserEmulator::start, this);
     stop_ = getNodeHandle().advertiseService("scan_emulator/stop", &PointLaserEmulator::stop, this);
@@ -37,30 +42,38 @@ class PointLaserEmulator : public nodelet::Nodelet {
     try {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
       const auto cell = scan_to_path::pipeline::makeCell(options.cell, scan_to_path_ros::packagePath());
-      const auto world = scan_to_path::tools::makeWorld(worldOptions());
-      auto emulation = options.emulate;
-      if (!mesh().empty() && getPrivateNodeHandle().param("raster_height_from_mesh", true)) {
-        emulation.raster.height = scan_to_path::tools::rasterHeight(world, cell.laser);
-      }
-      const auto errors = getPrivateNodeHandle().param<std::string>("errors", "");
-      if (!errors.empty()) {
-        const auto set = scan_to_path::parseEnum<scan_to_path::sensing::ErrorSet>("~errors", errors);
-        emulation.errors = scan_to_path::sensing::errorPreset(set);
-      }
-      emulation.seed = getPrivateNodeHandle().param("seed", emulation.seed);
-      publishTruth(world, cell);
-      const auto emulated = scan_to_path::sensing::emulateScan(*world.scene, world.rectangle(), cell.T_base_workpiece,
-                                                               cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor,
-                                                               emulation, 0);
-      // What a log file would hold, so that the command line plans from the very same numbers.
-      auto log = scan_to_path::scan::parseSampleLog(scan_to_path::scan::formatSampleLog(emulated.log), "emulated scan");
-      player_->start(std::move(log), cell);
+      auto bag = scan_to_path_ros::jobBag(getNodeHandle());
+      if (bag.empty()) bag = getPrivateNodeHandle().param("bag", bag);
+      player_->start(bag.empty() ? emulate(options, cell) : scan_to_path_ros::recordingFromBag(bag, sensor_frame));
       response.success = 1;
     } catch (const scan_to_path::InputError& error) {
       response.message = error.what();
       NODELET_ERROR("%s", error.what());
     }
     return true;
+  }
+
+  scan_to_path_ros::Recording emulate(const scan_to_path::pipeline::JobOptions& options,
+                                      const scan_to_path::pipeline::Cell& cell) {
+    const auto world = scan_to_path::tools::makeWorld(worldOptions());
+    auto emulation = options.emulate;
+    if (!mesh().empty() && getPrivateNodeHandle().param("raster_height_from_mesh", true)) {
+      emulation.raster.height = scan_to_path::tools::rasterHeight(world, cell.laser);
+    }
+    const auto errors = getPrivateNodeHandle().param<std::string>("errors", "");
+    if (!errors.empty()) {
+      const auto set = scan_to_path::parseEnum<scan_to_path::sensing::ErrorSet>("~errors", errors);
+      emulation.errors = scan_to_path::sensing::errorPreset(set);
+    }
+    emulation.seed = getPrivateNodeHandle().param("seed", emulation.seed);
+    publishTruth(world, cell);
+    const auto emulated =
+        scan_to_path::sensing::emulateScan(*world.scene, world.rectangle(), cell.T_base_workpiece, cell.robot,
+                                           cell.encoders, cell.laser, cell.T_tip_sensor, emulation, 0);
+    // What a log file would hold, so that the command line plans from the very same numbers.
+    const auto log =
+        scan_to_path::scan::parseSampleLog(scan_to_path::scan::formatSampleLog(emulated.log), "emulated scan");
+    return scan_to_path_ros::recordingFromLog(log, cell);
   }
 
   bool stop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -76,7 +89,8 @@ class PointLaserEmulator : public nodelet::Nodelet {
     scan_to_path::tools::WorldOptions options;
     options.workpiece = mesh();
     const auto units = own.param<std::string>("workpiece_units", "");
-    if (!units.empty()) options.units = scan_to_path::parseEnum<scan_to_path::pipeline::Units>("workpiece_units", units);
+    if (!units.empty())
+      options.units = scan_to_path::parseEnum<scan_to_path::pipeline::Units>("workpiece_units", units);
     double number = 0.0;
     if (own.getParam("workpiece_scale", number)) options.scale = number;
     if (own.getParam("table", number)) options.table = number;

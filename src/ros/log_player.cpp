@@ -4,13 +4,10 @@
 
 #include <rosgraph_msgs/Clock.h>
 #include <scan_to_path/ScanSamples.h>
-#include <sensor_msgs/JointState.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include "scan_to_path/common/error.h"
 
@@ -19,70 +16,69 @@ namespace {
 
 namespace core = scan_to_path;
 
-/// A log's time on top of a stamp, to the microsecond that logs have.
-ros::Time after(const ros::Time& begin, double seconds) {
-  return begin + ros::Duration().fromNSec(1000 * static_cast<std::int64_t>(std::llround(seconds * 1e6)));
+ros::Time after(const ros::Time& begin, std::int64_t nanoseconds) {
+  return begin + ros::Duration().fromNSec(nanoseconds);
 }
+
+std::int64_t toNanoseconds(double seconds) { return std::llround(seconds * 1e9); }
 
 constexpr double idle_step = 0.02;  // [s]
 
 }  // namespace
 
-/// A sample log in the units of messages.
-struct LogPlayer::Log {
-  std::vector<std::string> joint_names;
-  std::vector<double> joint_time;
-  std::vector<core::robot::JointVector> angles;
-  std::vector<double> sensor_time;
-  std::vector<double> range;
-
-  Log(core::scan::SampleLog&& log, const core::pipeline::Cell& cell)
-      : joint_names(log.joint_names), joint_time(std::move(log.joint_time)), sensor_time(std::move(log.sensor_time)) {
-    const std::size_t joints = joint_names.size();
-    std::vector<double> counts(log.counts.begin(), log.counts.begin() + static_cast<std::ptrdiff_t>(joints));
-    angles.reserve(joint_time.size());
-    for (std::size_t i = 0; i < joint_time.size(); ++i) {
-      for (std::size_t k = 0; k < joints; ++k) counts[k] = core::robot::unwrapCount(counts[k], log.counts[i * joints + k]);
-      angles.push_back(cell.encoders.angles(counts.data()));
-    }
-    range.reserve(log.voltage.size());
-    for (const double voltage : log.voltage) range.push_back(rangeOf(cell.laser, voltage));
+LogPlayer::LogPlayer(const ros::NodeHandle& nodes, const LogPlayerOptions& options, const core::robot::Robot& robot)
+    : options_(options) {
+  for (const auto& joint : robot.joints) {
+    pose_.name.push_back(joint.name);
+    pose_.position.push_back(std::clamp(0.0, joint.lower, joint.upper));
   }
-
-  /// REP 117: NaN for a fault, +Inf for no return.
-  static double rangeOf(const core::sensing::PointLaserOptions& laser, double voltage) {
-    if (std::isnan(voltage)) return std::numeric_limits<double>::quiet_NaN();
-    return core::sensing::distanceFromVoltage(laser, voltage).value_or(std::numeric_limits<double>::infinity());
-  }
-};
-
-LogPlayer::LogPlayer(const ros::NodeHandle& nodes, const LogPlayerOptions& options) : options_(options) {
   ros::NodeHandle own(nodes);
-  joints_ = own.advertise<sensor_msgs::JointState>("joint_states", 20000);
-  samples_ = own.advertise<core::ScanSamples>("scan_samples", 20000);
-  finished_ = own.advertise<std_msgs::Header>("scan_finished", 1);
-  if (options_.real_time) return;
-  clock_ = own.advertise<rosgraph_msgs::Clock>("/clock", 100);
-  acknowledged_ = own.subscribe<std_msgs::Header>("scan_acknowledged", 100, [this](const std_msgs::HeaderConstPtr& header) {
+  advertise(own);
+  idle_ = own.createWallTimer(ros::WallDuration(idle_step), [this](const ros::WallTimerEvent&) { idle(); });
+}
+
+void LogPlayer::advertise(ros::NodeHandle& nodes) {
+  joints_ = nodes.advertise<sensor_msgs::JointState>("joint_states", 20000);
+  samples_ = nodes.advertise<core::ScanSamples>("scan_samples", 20000);
+  finished_ = nodes.advertise<std_msgs::Header>("scan_finished", 1);
+  shown_ = nodes.subscribe<std_msgs::Bool>("playback_active", 1, [this](const std_msgs::BoolConstPtr& active) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    taken_ = header->stamp;
-    changed_.notify_all();
+    playback_active_ = active->data != 0;
   });
-  idle_ = own.createWallTimer(ros::WallDuration(idle_step), [this](const ros::WallTimerEvent&) {
-    if (!playing_) tick(now_ + ros::Duration(idle_step));
-  });
+  if (options_.real_time) return;
+  clock_ = nodes.advertise<rosgraph_msgs::Clock>("/clock", 100);
+  acknowledged_ =
+      nodes.subscribe<std_msgs::Header>("scan_acknowledged", 100, [this](const std_msgs::HeaderConstPtr& header) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        taken_ = header->stamp;
+        changed_.notify_all();
+      });
+}
+
+void LogPlayer::idle() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (playing_) return;
+  if (!options_.real_time) tick(now_ + ros::Duration(idle_step));
+  if (playback_active_ || ros::WallTime::now() < idle_until_) return;
+  idle_until_ = ros::WallTime::now() + ros::WallDuration(options_.idle_period);
+  const auto message = boost::make_shared<sensor_msgs::JointState>(pose_);
+  message->header.stamp = options_.real_time ? ros::Time::now() : now_;
+  joints_.publish(message);
 }
 
 LogPlayer::~LogPlayer() { stop(); }
 
-void LogPlayer::start(core::scan::SampleLog log, const core::pipeline::Cell& cell) {
+void LogPlayer::start(Recording recording) {
   if (playing_) throw core::InputError("the emulator scans already");
   if (thread_.joinable()) thread_.join();
-  stopping_ = false;
-  error_.clear();
-  taken_ = ros::Time();
-  playing_ = true;
-  thread_ = std::thread([this, played = Log(std::move(log), cell)] {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = false;
+    error_.clear();
+    taken_ = ros::Time();
+    playing_ = true;
+  }
+  thread_ = std::thread([this, played = std::move(recording)] {
     play(played);
     playing_ = false;
   });
@@ -109,7 +105,7 @@ void LogPlayer::fail(const std::string& error) {
 
 bool LogPlayer::pause(double seconds) {
   std::unique_lock<std::mutex> lock(mutex_);
-  return !changed_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return stopping_; });
+  return !changed_.wait_for(lock, std::chrono::duration<double>(std::max(0.0, seconds)), [this] { return stopping_; });
 }
 
 bool LogPlayer::waitForListeners() {
@@ -145,50 +141,60 @@ void LogPlayer::tick(const ros::Time& now) {
   clock_.publish(clock);
 }
 
-void LogPlayer::publishJoints(const Log& log, std::size_t reading, const ros::Time& begin) {
+void LogPlayer::publishJoints(const Recording& recording, std::size_t reading, const ros::Time& begin) {
+  const auto& angles = recording.angles[reading];
   const auto message = boost::make_shared<sensor_msgs::JointState>();
-  message->header.stamp = after(begin, log.joint_time[reading]);
-  message->name = log.joint_names;
-  message->position.assign(log.angles[reading].data(), log.angles[reading].data() + log.angles[reading].size());
+  message->header.stamp = after(begin, recording.joint_time[reading]);
+  message->name = recording.joint_names;
+  message->position.assign(angles.data(), angles.data() + angles.size());
   joints_.publish(message);
 }
 
-void LogPlayer::publishSamples(const Log& log, std::size_t first, std::size_t last, const ros::Time& begin) {
+void LogPlayer::publishSamples(const Recording& recording, std::size_t first, std::size_t last,
+                               const ros::Time& begin) {
   if (first == last) return;
   const auto message = boost::make_shared<core::ScanSamples>();
   message->header.frame_id = options_.sensor_frame;
-  message->header.stamp = after(begin, log.sensor_time[first]);
+  message->header.stamp = after(begin, recording.sensor_time[first]);
   for (std::size_t i = first; i < last; ++i) {
-    message->time_offset.push_back((after(begin, log.sensor_time[i]) - message->header.stamp).toSec());
-    message->range.push_back(log.range[i]);
+    message->time_offset.push_back((after(begin, recording.sensor_time[i]) - message->header.stamp).toSec());
+    message->range.push_back(recording.range[i]);
   }
   samples_.publish(message);
 }
 
-void LogPlayer::play(const Log& log) {
+void LogPlayer::play(const Recording& recording) {
   if (!waitForListeners()) return;
-  const ros::Time begin = options_.real_time ? ros::Time::now() : now_;
-  const ros::WallTime wall = ros::WallTime::now();
-  const double end = std::max(log.joint_time.back(), log.sensor_time.back());
+  const auto& joint_time = recording.joint_time;
+  const auto& sensor_time = recording.sensor_time;
+  const ros::Time begin = (options_.real_time ? ros::Time::now() : now_) + ros::Duration(options_.settle);
+  const ros::WallTime wall = ros::WallTime::now() + ros::WallDuration(options_.settle);
+  const std::int64_t end = std::max(joint_time.back(), sensor_time.back());
+  const std::int64_t batch = toNanoseconds(options_.batch);
   std::size_t reading = 0;
   std::size_t sample = 0;
-  for (double until = options_.batch; sample < log.sensor_time.size() || reading < log.joint_time.size();
-       until += options_.batch) {
-    for (; reading < log.joint_time.size() && log.joint_time[reading] <= until; ++reading) publishJoints(log, reading, begin);
+  for (std::int64_t until = batch; sample < sensor_time.size() || reading < joint_time.size(); until += batch) {
+    if (options_.real_time && !pause(1e-9 * static_cast<double>(until) - (ros::WallTime::now() - wall).toSec())) return;
+    for (; reading < joint_time.size() && joint_time[reading] <= until; ++reading)
+      publishJoints(recording, reading, begin);
     const std::size_t first = sample;
-    while (sample < log.sensor_time.size() && log.sensor_time[sample] <= until) ++sample;
-    publishSamples(log, first, sample, begin);
-    if (options_.real_time) {
-      if (!pause(std::max(0.0, until - (ros::WallTime::now() - wall).toSec()))) return;
-      continue;
-    }
+    while (sample < sensor_time.size() && sensor_time[sample] <= until) ++sample;
+    publishSamples(recording, first, sample, begin);
+    if (options_.real_time) continue;
     tick(after(begin, std::min(until, end)));
-    const auto needed = std::upper_bound(log.sensor_time.begin(), log.sensor_time.begin() + static_cast<std::ptrdiff_t>(sample),
-                                         until - options_.window);
-    if (needed != log.sensor_time.begin() && !waitUntilTaken(after(begin, *std::prev(needed)))) return;
+    const auto needed = std::upper_bound(sensor_time.begin(), sensor_time.begin() + static_cast<std::ptrdiff_t>(sample),
+                                         until - toNanoseconds(options_.window));
+    if (needed != sensor_time.begin() && !waitUntilTaken(after(begin, *std::prev(needed)))) return;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto& angles = recording.angles.back();
+    pose_.name = recording.joint_names;
+    pose_.position.assign(angles.data(), angles.data() + angles.size());
+    idle_until_ = ros::WallTime::now() + ros::WallDuration(options_.settle);
   }
   std_msgs::Header header;
-  header.stamp = after(begin, log.sensor_time.back());
+  header.stamp = after(begin, sensor_time.back());
   finished_.publish(header);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path_ros/parameters.h"
 
+#include <ros/master.h>
 #include <ros/package.h>
 
 #include <cstdio>
@@ -18,6 +19,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr const char* cell_parameter = "configuration";
 constexpr const char* job_parameter = "job";
+constexpr const char* bag_parameter = "job_bag";
 
 std::string quoted(const std::string& text) {
   std::string yaml = "\"";
@@ -46,15 +48,9 @@ std::string flow(char open, const Values& values, char close, Write write) {
   return yaml + close;
 }
 
-void apply(const std::vector<scan_to_path::pipeline::FieldReference>& fields, const ros::NodeHandle& nodes,
-           const std::string& parameter) {
+void apply(scan_to_path::pipeline::JobOptions& options, const ros::NodeHandle& nodes, const std::string& parameter) {
   XmlRpcValue tree;
-  if (!nodes.getParam(parameter, tree)) return;
-  if (tree.getType() == XmlRpcValue::TypeString) {
-    scan_to_path::pipeline::applyYaml(fields, static_cast<std::string>(tree), "parameter " + nodes.resolveName(parameter));
-  } else {
-    scan_to_path::pipeline::applyYaml(fields, toYaml(tree), "parameter " + nodes.resolveName(parameter));
-  }
+  if (nodes.getParam(parameter, tree)) applyParameter(options, tree, nodes.resolveName(parameter));
 }
 
 }  // namespace
@@ -77,21 +73,41 @@ std::string toYaml(const XmlRpcValue& value) {
   }
 }
 
+void applyParameter(scan_to_path::pipeline::JobOptions& options, const XmlRpcValue& tree, const std::string& name) {
+  XmlRpcValue copy = tree;
+  const bool is_text = copy.getType() == XmlRpcValue::TypeString;
+  scan_to_path::pipeline::applyYaml(scan_to_path::pipeline::fieldReferences(options),
+                                    is_text ? static_cast<std::string>(copy) : toYaml(tree), "parameter " + name);
+}
+
 scan_to_path::pipeline::JobOptions readJobOptions(const ros::NodeHandle& nodes) {
+  // Without a master every parameter looks as if it were not set: no job may go on with the defaults then.
+  if (!ros::master::check()) {
+    throw InputError("no ROS master at " + ros::master::getURI() + ": the cell's configuration cannot be read");
+  }
   scan_to_path::pipeline::JobOptions options;
-  const auto fields = scan_to_path::pipeline::fieldReferences(options);
-  apply(fields, nodes, cell_parameter);
-  apply(fields, nodes, job_parameter);
+  apply(options, nodes, cell_parameter);
+  apply(options, nodes, job_parameter);
   return options;
 }
 
-void setJob(const ros::NodeHandle& nodes, const std::string& yaml) {
+void setJob(const ros::NodeHandle& nodes, const std::string& yaml, const std::string& bag) {
   scan_to_path::pipeline::JobOptions options = readJobOptions(nodes);
   scan_to_path::pipeline::applyYaml(scan_to_path::pipeline::fieldReferences(options), yaml, "the job's configuration");
   nodes.setParam(job_parameter, yaml);
+  nodes.setParam(bag_parameter, bag);
 }
 
-void clearJob(const ros::NodeHandle& nodes) { nodes.deleteParam(job_parameter); }
+void clearJob(const ros::NodeHandle& nodes) {
+  nodes.deleteParam(job_parameter);
+  nodes.deleteParam(bag_parameter);
+}
+
+std::string jobBag(const ros::NodeHandle& nodes) {
+  std::string bag;
+  nodes.getParam(bag_parameter, bag);
+  return bag;
+}
 
 std::vector<std::filesystem::path> packagePath() {
   std::vector<std::filesystem::path> directories;

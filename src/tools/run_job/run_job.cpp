@@ -9,10 +9,12 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "tools/progress_bar.h"
+#include "tools/run_job/play_back.h"
 
 namespace {
 
@@ -28,6 +30,7 @@ struct Flags {
   std::string bag;
   std::string server = "cell/job_server";
   double wait = 30.0;
+  bool play = false;
   bool quiet = false;
 };
 
@@ -37,7 +40,8 @@ void addFlags(CLI::App& app, Flags& flags) {
   app.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
   app.add_option("--bag", flags.bag, "replay this recording instead of scanning")->type_name("FILE");
   app.add_option("--server", flags.server, "name of the job server")->capture_default_str();
-  app.add_option("--wait", flags.wait, "for the server to come up [s]")->capture_default_str();
+  app.add_option("--wait", flags.wait, "for the cell to come up [s]")->capture_default_str();
+  app.add_flag("--play", flags.play, "play the result back, and compare it with the planned path");
   app.add_flag("--quiet", flags.quiet, "no progress, no summary");
 }
 
@@ -50,20 +54,33 @@ scan_to_path::RunJobGoal goalFrom(const Flags& flags) {
   return goal;
 }
 
-bool waitForServer(Client& client, double seconds) {
+/// Waits until `is_there`, for `seconds` at most.
+bool waitFor(double seconds, const std::function<bool()>& is_there) {
   const ros::WallTime limit = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (!client.isServerConnected() && ros::WallTime::now() < limit && interrupted == 0) ros::WallDuration(0.02).sleep();
-  return client.isServerConnected();
+  while (!is_there()) {
+    if (ros::WallTime::now() > limit || interrupted != 0) return false;
+    ros::WallDuration(0.02).sleep();
+  }
+  return true;
+}
+
+/// The namespace that the server is in, with its slash.
+std::string cellOf(const std::string& server) {
+  const auto slash = server.rfind('/');
+  return slash == std::string::npos ? "" : server.substr(0, slash + 1);
 }
 
 int run(const Flags& flags) {
   const scan_to_path::RunJobGoal goal = goalFrom(flags);
-  if (!ros::master::check()) throw scan_to_path::InputError("no ROS master at " + ros::master::getURI());
+  if (!waitFor(flags.wait, [] { return ros::master::check(); })) {
+    throw scan_to_path::InputError("no ROS master at " + ros::master::getURI());
+  }
   ros::NodeHandle nodes;
   Client client(nodes, flags.server + "/run", true);
-  if (!waitForServer(client, flags.wait)) {
+  if (!waitFor(flags.wait, [&] { return client.isServerConnected(); })) {
     throw scan_to_path::InputError("no job server at " + nodes.resolveName(flags.server) + " within " +
-                                   scan_to_path::fixed(flags.wait, 0) + " s; bring the cell up with: roslaunch scan_to_path cell.launch");
+                                   scan_to_path::fixed(flags.wait, 0) +
+                                   " s; bring the cell up with: roslaunch scan_to_path cell.launch");
   }
   scan_to_path::tools::ProgressBar bar(flags.quiet);
   const auto progress = bar.progress();
@@ -77,8 +94,15 @@ int run(const Flags& flags) {
   const auto result = client.getResult();
   if (!result) throw scan_to_path::InputError("the job server gave no result");
   for (const auto& line : result->summary) {
-    if (result->exit > 1) std::fprintf(stderr, "%s\n", line.c_str());
-    else if (!flags.quiet) std::printf("%s\n", line.c_str());
+    if (result->exit > 1)
+      std::fprintf(stderr, "%s\n", line.c_str());
+    else if (!flags.quiet)
+      std::printf("%s\n", line.c_str());
+  }
+  if (flags.play && result->exit == 0) {
+    const std::string line =
+        scan_to_path::tools::playBack(nodes, cellOf(flags.server), [] { return interrupted != 0; });
+    if (!flags.quiet) std::printf("%s\n", line.c_str());
   }
   return result->exit;
 }
@@ -98,5 +122,7 @@ int main(int argc, char** argv) {
   } catch (const scan_to_path::InputError& error) {
     std::fprintf(stderr, "run_job: %s\n", error.what());
     return 2;
+  } catch (const scan_to_path::Interrupted&) {
+    return 130;
   }
 }

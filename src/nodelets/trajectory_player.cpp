@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 scan_to_path developers
+// SPDX-License-Identifier: Apache-2.0
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <nodelet/nodelet.h>
+#include <scan_to_path/PlannedPath.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+#include <optional>
+
+#include "scan_to_path/common/error.h"
+#include "scan_to_path_ros/conversions.h"
+#include "scan_to_path_ros/parameters.h"
+#include "scan_to_path_ros/playback.h"
+
+namespace scan_to_path_nodelets {
+
+/// Shows a planned trajectory with the robot of rviz: plays it as joint states, then stands at its end until stopped,
+/// and compares where tf2 has the tool with the planned path. Never in a cell with a real robot: that one says itself
+/// where it is.
+class TrajectoryPlayer : public nodelet::Nodelet {
+  static constexpr double period = 0.02;       ///< of looks at the clock [s of wall time]
+  static constexpr double path_period = 1.0;   ///< of the played path while it grows [s of wall time]
+  static constexpr double hold_period = 0.25;  ///< of the joint states at the end [s of wall time]
+  static constexpr double late = 1.0;          ///< after which a transform comes no more [s of wall time]
+
+  void onInit() override {
+    ros::NodeHandle& nodes = getNodeHandle();
+    joints_ = nodes.advertise<sensor_msgs::JointState>("joint_states", 20000);
+    active_ = nodes.advertise<std_msgs::Bool>("playback_active", 1, true);
+    path_ = nodes.advertise<nav_msgs::Path>("played_path", 1, true);
+    deviation_ = nodes.advertise<scan_to_path::PlaybackDeviation>("playback_deviation", 1, true);
+    subscribers_ = {nodes.subscribe("joint_trajectory", 1, &TrajectoryPlayer::takeTrajectory, this),
+                    nodes.subscribe("motion_plan", 1, &TrajectoryPlayer::takePlan, this),
+                    nodes.subscribe("planned_path", 1, &TrajectoryPlayer::takePath, this),
+                    nodes.subscribe("scan_acknowledged", 1, &TrajectoryPlayer::noteScan, this),
+                    nodes.subscribe("/tf_static", 100, &TrajectoryPlayer::takeStaticTransforms, this)};
+    start_ = getPrivateNodeHandle().advertiseService("start", &TrajectoryPlayer::start, this);
+    stop_ = getPrivateNodeHandle().advertiseService("stop", &TrajectoryPlayer::stop, this);
+    timer_ = nodes.createWallTimer(ros::WallDuration(period), [this](const ros::WallTimerEvent&) { step(); });
+    diagnostics_ = std::make_unique<diagnostic_updater::Updater>(nodes, getPrivateNodeHandle(), getName());
+    diagnostics_->setHardwareID("none");
+    diagnostics_->add("playback", this, &TrajectoryPlayer::diagnose);
+    setActive(false);
+  }
+
+  void takeTrajectory(const trajectory_msgs::JointTrajectoryConstPtr& msg) { trajectory_ = msg; }
+  void takePlan(const scan_to_path::MotionPlanConstPtr& msg) {
+    plan_ = msg;
+    scanned_ = ros::WallTime();  // the scan is over
+  }
+  void noteScan(const std_msgs::HeaderConstPtr&) { scanned_ = ros::WallTime::now(); }
+
+  /// The path as it is driven: a dry run's is off the part, by the configuration of the job that is under way.
+  void takePath(const scan_to_path::PlannedPathConstPtr& msg) {
+    try {
+      const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
+      const auto cell = scan_to_path::pipeline::makeCell(options.cell, scan_to_path_ros::packagePath());
+      driven_ = scan_to_path::pipeline::airRun(scan_to_path_ros::fromMsg(*msg), cell, options.program).planned.path;
+      path_stamp_ = msg->header.stamp;
+    } catch (const scan_to_path::InputError& error) {
+      NODELET_ERROR("planned path: %s", error.what());
+    }
+  }
+
+  bool start(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    try {
+      begin();
+      response.success = 1;
+      response.message =
+          std::to_string(trajectory_->points.size()) + " points" + (comparison_ ? "" : ", no path to compare with");
+    } catch (const scan_to_path::InputError& error) {
+      response.message = error.what();
+    }
+    return true;
+  }
+
+  bool stop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    response.success = 1;
+    if (comparison_) report();
+    end();
+    return true;
+  }
+
+  void end() {
+    transforms_.shutdown();
+    playback_.reset();
+    comparison_.reset();
+    setActive(false);
+  }
+
+  void begin() {
+    ros::NodeHandle& own = getPrivateNodeHandle();
+    if (own.param("real_robot", false))
+      throw scan_to_path::InputError("a real robot publishes joint_states; play back with sim:=true");
+    if (!trajectory_)
+      throw scan_to_path::InputError("no trajectory has come on " + getNodeHandle().resolveName("joint_trajectory"));
+    if ((ros::WallTime::now() - scanned_).toSec() < late) throw scan_to_path::InputError("a scan is running");
+    scan_to_path_ros::PlaybackOptions options;
+    options.speed = own.param("speed", options.speed);
+    options.rate = own.param("rate", options.rate);
+    // A moment for the robot that stood still to fall silent.
+    const ros::Time first = ros::Time::now() + ros::Duration(5 * period);
+    const scan_to_path_ros::JointPlayback playback(*trajectory_, options, first);
+    comparison_.reset();
+    if (isPlanned()) {
+      comparison_ = std::make_unique<scan_to_path_ros::PlaybackComparison>(*driven_, *plan_, playback);
+      addTransforms(static_transforms_, true);
+    }
+    transforms_ = getNodeHandle().subscribe("/tf", 20000, &TrajectoryPlayer::takeTransforms, this);
+    playback_ = playback;
+    last_look_ = ros::Time::now();
+    done_at_ = reported_ = ros::WallTime();
+    setActive(true);
+    if (comparison_) report();
+  }
+
+  /// Path and plan are those of the trajectory.
+  bool isPlanned() const {
+    return driven_ && plan_ && plan_->header.stamp == trajectory_->header.stamp && path_stamp_ == plan_->header.stamp &&
+           plan_->time.size() == trajectory_->points.size();
+  }
+
+  void step() {
+    if (!playback_) return;
+    const ros::Time now = ros::Time::now();
+    if (now < last_look_) {
+      NODELET_ERROR("the clock went back while playing; stopped");
+      return end();
+    }
+    last_look_ = now;
+    for (auto& state : playback_->until(now))
+      joints_.publish(boost::make_shared<sensor_msgs::JointState>(std::move(state)));
+    if (playback_->isDone()) stand(now);
+    if (comparison_ && (ros::WallTime::now() - reported_).toSec() > path_period) report();
+  }
+
+  /// At the end: waits for the last transforms, then stays.
+  void stand(const ros::Time& now) {
+    const ros::WallTime wall = ros::WallTime::now();
+    if (done_at_.isZero()) done_at_ = held_at_ = wall;
+    if (comparison_ && comparison_->deviation().finished == 0 &&
+        (comparison_->waiting() == 0 || (wall - done_at_).toSec() > late)) {
+      comparison_->finish();
+      transforms_.shutdown();
+      report();
+    }
+    if ((wall - held_at_).toSec() < hold_period || now <= playback_->last().header.stamp) return;
+    held_at_ = wall;
+    const auto state = boost::make_shared<sensor_msgs::JointState>(playback_->last());
+    state->header.stamp = now;
+    joints_.publish(state);
+  }
+
+  void report() {
+    reported_ = ros::WallTime::now();
+    path_.publish(boost::make_shared<nav_msgs::Path>(comparison_->path()));
+    deviation_.publish(boost::make_shared<scan_to_path::PlaybackDeviation>(comparison_->deviation()));
+  }
+
+  void setActive(bool active) {
+    std_msgs::Bool message;
+    message.data = static_cast<std::uint8_t>(active);
+    active_.publish(message);
+  }
+
+  void takeTransforms(const tf2_msgs::TFMessageConstPtr& msg) {
+    if (comparison_ && comparison_->waiting() > 0) addTransforms(msg->transforms, false);
+  }
+
+  /// Static ones come once, for every playback there will be.
+  void takeStaticTransforms(const tf2_msgs::TFMessageConstPtr& msg) {
+    static_transforms_.insert(static_transforms_.end(), msg->transforms.begin(), msg->transforms.end());
+    if (comparison_) addTransforms(msg->transforms, true);
+  }
+
+  void addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms, bool are_static) {
+    for (const auto& transform : transforms) comparison_->addTransform(transform, are_static);
+  }
+
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    using diagnostic_msgs::DiagnosticStatus;
+    if (!playback_) return status.summary(DiagnosticStatus::OK, "idle");
+    status.summary(DiagnosticStatus::OK, playback_->isDone() ? "at the end" : "playing");
+    status.add("played", playback_->fraction());
+    if (!comparison_) return;
+    const auto& off = comparison_->deviation();
+    if (off.finished != 0 && off.missing > 0)
+      status.summary(DiagnosticStatus::ERROR, "transforms of the tool are missing");
+    status.add("waypoints", off.waypoints);
+    status.add("waypoints without a transform", off.missing);
+    status.add("largest deviation [m]", off.position_largest);
+    status.add("largest deviation [rad]", off.angle_largest);
+  }
+
+  trajectory_msgs::JointTrajectoryConstPtr trajectory_;
+  scan_to_path::MotionPlanConstPtr plan_;
+  std::optional<scan_to_path::toolpath::ToolPath> driven_;
+  ros::Time path_stamp_;
+  std::optional<scan_to_path_ros::JointPlayback> playback_;
+  std::unique_ptr<scan_to_path_ros::PlaybackComparison> comparison_;
+  std::vector<geometry_msgs::TransformStamped> static_transforms_;
+  ros::Time last_look_;
+  ros::WallTime done_at_;
+  ros::WallTime held_at_;
+  ros::WallTime reported_;
+  ros::WallTime scanned_;
+  ros::Publisher joints_;
+  ros::Publisher active_;
+  ros::Publisher path_;
+  ros::Publisher deviation_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::Subscriber transforms_;  ///< only while they are compared
+  ros::ServiceServer start_;
+  ros::ServiceServer stop_;
+  ros::WallTimer timer_;
+  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+};
+
+}  // namespace scan_to_path_nodelets
+
+PLUGINLIB_EXPORT_CLASS(scan_to_path_nodelets::TrajectoryPlayer, nodelet::Nodelet)
