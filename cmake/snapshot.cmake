@@ -17,3 +17,10 @@ target_include_directories(scan_to_path_snapshot SYSTEM PRIVATE ${catkin_INCLUDE
 target_compile_definitions(scan_to_path_snapshot PRIVATE QT_NO_KEYWORDS)
 target_link_libraries(scan_to_path_snapshot PRIVATE -Wl,--no-as-needed ${OSMESA_LIBRARY} -Wl,--as-needed
                       ${rviz_LIBRARIES} ${roscpp_LIBRARIES} Qt5::Widgets CLI11::CLI11 ${CMAKE_DL_LIBS})
+
+# What the figures show, as standard messages. PCL is what their normals are compared with.
+file(GLOB figure_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/tools/figures/*.cpp)
+add_executable(scan_to_path_figure_scene ${figure_sources} src/tools/emulated_world.cpp)
+set_target_properties(scan_to_path_figure_scene PROPERTIES OUTPUT_NAME figure_scene)
+target_include_directories(scan_to_path_figure_scene PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(scan_to_path_figure_scene PRIVATE scan_to_path_ros)

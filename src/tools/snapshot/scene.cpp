@@ -22,7 +22,9 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QThread>
+#include <algorithm>
 #include <functional>
+#include <vector>
 
 #include "scan_to_path/common/error.h"
 
@@ -44,27 +46,35 @@ void forEachDisplay(rviz::DisplayGroup* group, const std::function<void(rviz::Di
   }
 }
 
-/// The first complaint in the status entries among a property's children, "" when all are Ok.
-QString complaintOf(rviz::Property* property) {
+/// The status entries among a property's children.
+std::vector<rviz::StatusProperty*> statusOf(rviz::Property* property) {
+  std::vector<rviz::StatusProperty*> entries;
   for (int i = 0; i < property->numChildren(); ++i) {
     auto* list = dynamic_cast<rviz::StatusList*>(property->childAt(i));
-    if (list == nullptr || list->getLevel() == rviz::StatusProperty::Ok) continue;
+    if (list == nullptr) continue;
     for (int k = 0; k < list->numChildren(); ++k) {
-      auto* status = dynamic_cast<rviz::StatusProperty*>(list->childAt(k));
-      if (status != nullptr && status->getLevel() != rviz::StatusProperty::Ok) {
-        return status->getName() + ": " + status->getValue().toString();
-      }
+      if (auto* status = dynamic_cast<rviz::StatusProperty*>(list->childAt(k))) entries.push_back(status);
     }
-    return "not ready";
+  }
+  return entries;
+}
+
+/// What a property's status first complains of, "" when all is Ok.
+QString complaintOf(rviz::Property* property) {
+  for (rviz::StatusProperty* status : statusOf(property)) {
+    if (status->getLevel() != rviz::StatusProperty::Ok) return status->getName() + ": " + status->getValue().toString();
   }
   return "";
 }
 
-/// Marker displays are Ok as soon as they have a topic; their list of namespaces says whether anything came.
-bool waitsForMarkers(rviz::Display* display) {
-  if (!display->getClassId().startsWith("rviz/Marker")) return false;
-  const rviz::Property* namespaces = display->subProp("Namespaces");
-  return namespaces->numChildren() == 0;
+/// Displays are Ok as soon as they have a topic. Whether anything came, marker displays say by their namespaces, the
+/// others by their topic's status, which then counts messages instead of being just "OK".
+bool isWaiting(rviz::Display* display) {
+  if (display->getClassId().startsWith("rviz/Marker")) return display->subProp("Namespaces")->numChildren() == 0;
+  const auto entries = statusOf(display);
+  return std::any_of(entries.begin(), entries.end(), [](rviz::StatusProperty* status) {
+    return status->getName() == "Topic" && status->getValue().toString() == "OK";
+  });
 }
 
 QStringList missing(rviz::DisplayGroup* root) {
@@ -73,7 +83,7 @@ QStringList missing(rviz::DisplayGroup* root) {
   if (!global.isEmpty()) missing << global;
   forEachDisplay(root, [&](rviz::Display* display) {
     if (!display->isEnabled()) return;
-    const QString complaint = waitsForMarkers(display) ? QString("no markers received") : complaintOf(display);
+    const QString complaint = isWaiting(display) ? QString("nothing received") : complaintOf(display);
     if (!complaint.isEmpty()) missing << "display '" + display->getName() + "': " + complaint;
   });
   return missing;
