@@ -11,11 +11,6 @@
 
 namespace scan_to_path_ros {
 
-struct ScanWaiting {
-  double first_sample = 10.0;  ///< until the first sample comes [s of wall time]
-  double silence = 2.0;        ///< after the last one, when nobody says that the scan has ended [s of wall time]
-};
-
 /// Has the cell's nodelets run a job's stages: starts the scan, ends it, and takes what they publish.
 class NodeletRunner : public scan_to_path::pipeline::StageRunner {
 public:
@@ -37,15 +32,21 @@ public:
   scan_to_path::pipeline::MotionStage motion(const scan_to_path::pipeline::PathStage& driven,
                                              const scan_to_path::Progress& progress) override;
 
+  /// From the last sample placed until the path was planned [s of wall time]; nothing while there is no path.
+  std::optional<double> pathDelay() const { return path_delay_; }
+
 private:
   /// Throws InputError with the service's own words when it refuses or is not there.
   void call(const std::string& service) const;
+  bool exists(const std::string& service) const;
 
   ros::NodeHandle nodes_;
   StageResults& results_;
   ScanWaiting waiting_;
   scan_to_path::pipeline::JobInput input_;
   std::optional<scan_to_path::program::ProgramFile> record_;
+  ros::WallTime scanned_;
+  std::optional<double> path_delay_;
 };
 
 }  // namespace scan_to_path_ros

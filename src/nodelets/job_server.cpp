@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <actionlib/server/action_server.h>
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <scan_to_path/RunJobAction.h>
 #include <std_msgs/Empty.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <atomic>
 #include <memory>
@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
 #include "scan_to_path_ros/nodelet_runner.h"
 #include "scan_to_path_ros/parameters.h"
 
@@ -51,10 +52,7 @@ private:
     if (worker_.joinable()) worker_.join();
     cancelled_ = false;
     goal.setAccepted();
-    worker_ = std::thread([this, goal]() mutable {
-      run(goal);
-      busy_ = false;
-    });
+    worker_ = std::thread([this, goal]() mutable { run(goal); });
   }
 
   void cancel(const Goal&) {
@@ -66,7 +64,7 @@ private:
     scan_to_path::RunJobResult result;
     result.out = goal.getGoal()->out;
     try {
-      scan_to_path_ros::setJob(getNodeHandle(), goal.getGoal()->configuration);
+      scan_to_path_ros::setJob(getNodeHandle(), goal.getGoal()->configuration, goal.getGoal()->bag);
       const auto done = plan(*goal.getGoal(), progressOf(goal));
       result.exit = done.exit;
       result.summary = done.summary;
@@ -83,9 +81,13 @@ private:
     }
     scan_to_path_ros::clearJob(getNodeHandle());
     const std::string text = result.summary.empty() ? "" : result.summary.front();
-    if (result.exit == 130) goal.setCanceled(result, text);
-    else if (result.exit > 1) goal.setAborted(result, text);
-    else goal.setSucceeded(result, text);
+    busy_ = false;  // who hears the result may send the next goal at once
+    if (result.exit == 130)
+      goal.setCanceled(result, text);
+    else if (result.exit > 1)
+      goal.setAborted(result, text);
+    else
+      goal.setSucceeded(result, text);
   }
 
   scan_to_path::pipeline::JobResult plan(const scan_to_path::RunJobGoal& goal, const scan_to_path::Progress& progress) {
@@ -99,7 +101,11 @@ private:
     request.package_path = scan_to_path_ros::packagePath();
     const auto cell = scan_to_path::pipeline::makeCell(options.cell, request.package_path);
     scan_to_path_ros::NodeletRunner stages(getNodeHandle(), *results_, waiting_, request, options, cell);
-    return scan_to_path::pipeline::runJob(request, options, cell, stages, progress);
+    auto done = scan_to_path::pipeline::runJob(request, options, cell, stages, progress);
+    if (const auto delay = stages.pathDelay()) {
+      done.summary.push_back("timing    path ready " + scan_to_path::fixed(*delay, 3) + " s after the last sample");
+    }
+    return done;
   }
 
   scan_to_path::Progress progressOf(Goal& goal) {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <nodelet/nodelet.h>
 #include <pcl_conversions/pcl_conversions.h>
 #include <pcl_ros/point_cloud.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
+#include <pluginlib/class_list_macros.hpp>
 
+#include <map>
 #include <memory>
 
 #include "scan_to_path/common/error.h"
@@ -38,9 +38,6 @@ class ScanAccumulator : public nodelet::Nodelet {
     static_transforms_ = nodes.subscribe("/tf_static", 100, &ScanAccumulator::addStaticTransforms, this);
     samples_ = nodes.subscribe("scan_samples", 20000, &ScanAccumulator::addSamples, this);
     live_timer_ = nodes.createWallTimer(ros::WallDuration(live_period), &ScanAccumulator::publishLive, this);
-    diagnostics_ = std::make_unique<diagnostic_updater::Updater>(nodes, getPrivateNodeHandle(), getName());
-    diagnostics_->setHardwareID("none");
-    diagnostics_->add("samples", this, &ScanAccumulator::diagnose);
   }
 
   bool start(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -76,7 +73,7 @@ class ScanAccumulator : public nodelet::Nodelet {
       info_.publish(boost::make_shared<scan_to_path::ScanInfo>(scan_to_path_ros::toInfo(scanned, header)));
       scan_.publish(boost::make_shared<Cloud>(std::move(scanned.cloud)));
     }));
-    response.message = std::to_string(samples) + " samples";
+    response.message = response.success != 0 ? std::to_string(samples) + " samples" : stage_->error();
     return true;
   }
 
@@ -121,6 +118,7 @@ class ScanAccumulator : public nodelet::Nodelet {
   }
 
   void publishLive(const ros::WallTimerEvent&) {
+    diagnose();
     const Cloud& cloud = placer_.cloud();
     if (published_ >= cloud.size()) return;
     const auto points = boost::make_shared<Cloud>();
@@ -133,14 +131,14 @@ class ScanAccumulator : public nodelet::Nodelet {
     live_.publish(points);
   }
 
-  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-    using diagnostic_msgs::DiagnosticStatus;
-    status.summary(DiagnosticStatus::OK, recording_ ? "recording" : "idle");
-    if (!refused_.empty()) status.summary(DiagnosticStatus::ERROR, refused_);
-    status.add("samples", placer_.samplesIn());
-    status.add("placed", placer_.cloud().size());
-    status.add("waiting for transforms", placer_.waiting());
-    for (const auto& entry : placer_.dropped()) status.add("dropped, " + entry.reason, entry.count);
+  void diagnose() {
+    std::map<std::string, std::string> details = {{"recording", recording_ ? "yes" : "no"},
+                                                  {"samples", std::to_string(placer_.samplesIn())},
+                                                  {"placed", std::to_string(placer_.cloud().size())},
+                                                  {"waiting for transforms", std::to_string(placer_.waiting())},
+                                                  {"refused", refused_}};
+    for (const auto& entry : placer_.dropped()) details["dropped, " + entry.reason] = std::to_string(entry.count);
+    stage_->setDetails(details);
   }
 
   scan_to_path_ros::SamplePlacer placer_{scan_to_path_ros::SamplePlacerOptions()};
@@ -159,7 +157,6 @@ class ScanAccumulator : public nodelet::Nodelet {
   ros::Subscriber static_transforms_;
   ros::Subscriber samples_;
   ros::WallTimer live_timer_;
-  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
 };
 
 }  // namespace scan_to_path_nodelets

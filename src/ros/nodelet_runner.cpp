@@ -9,6 +9,7 @@
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/scan/cloud_io.h"
 #include "scan_to_path_ros/conversions.h"
+#include "scan_to_path_ros/parameters.h"
 
 namespace scan_to_path_ros {
 namespace {
@@ -17,6 +18,7 @@ namespace pipeline = scan_to_path::pipeline;
 
 constexpr const char* emulator_start = "scan_emulator/start";
 constexpr const char* emulator_stop = "scan_emulator/stop";
+constexpr const char* player_stop = "trajectory_player/stop";
 
 }  // namespace
 
@@ -27,26 +29,46 @@ NodeletRunner::NodeletRunner(const ros::NodeHandle& nodes, StageResults& results
 
 NodeletRunner::~NodeletRunner() {
   std_srvs::Trigger stop;
-  if (ros::service::exists(nodes_.resolveName(emulator_stop), false)) ros::service::call(nodes_.resolveName(emulator_stop), stop);
+  if (exists(emulator_stop)) ros::service::call(nodes_.resolveName(emulator_stop), stop);
+}
+
+bool NodeletRunner::exists(const std::string& service) const {
+  return ros::service::exists(nodes_.resolveName(service), false);
 }
 
 void NodeletRunner::call(const std::string& service) const {
   const std::string name = nodes_.resolveName(service);
   std_srvs::Trigger trigger;
-  if (!ros::service::call(name, trigger)) throw scan_to_path::InputError(name + ": nobody answers; is its nodelet running?");
+  if (!ros::service::call(name, trigger))
+    throw scan_to_path::InputError(name + ": nobody answers; is its nodelet running?");
   if (trigger.response.success == 0) throw scan_to_path::InputError(name + ": " + trigger.response.message);
 }
 
 void NodeletRunner::read(const scan_to_path::Progress& progress) {
   progress.update("scan", 0.0);
   results_.clear();
+  if (exists(player_stop)) call(player_stop);
   call("scan_accumulator/start");
   // A cell with a real robot has no emulator: its samples come when the robot moves.
-  if (ros::service::exists(nodes_.resolveName(emulator_start), false)) call(emulator_start);
+  const bool emulated = nodes_.param("emulated", exists(emulator_start));
+  const ros::WallTime limit = ros::WallTime::now() + ros::WallDuration(waiting_.first_sample);
+  while (emulated && !exists(emulator_start) && ros::WallTime::now() < limit) {
+    progress.update("scan", 0.0);
+    ros::WallDuration(0.02).sleep();
+  }
+  waiting_.end_is_announced = emulated;
+  if (emulated) {
+    call(emulator_start);
+  } else if (!jobBag(nodes_).empty()) {
+    throw scan_to_path::InputError(jobBag(nodes_) +
+                                   ": a cell with a real robot replays nothing; bring it up with sim:=true");
+  }
 }
 
 pipeline::ScanStage NodeletRunner::scan(const scan_to_path::Progress& progress) {
-  results_.waitForScan(progress, waiting_.first_sample, waiting_.silence);
+  results_.waitForScan(progress, waiting_);
+  scanned_ = results_.lastSampleAt();
+  results_.clear();
   call("scan_accumulator/finish");
   const auto info = results_.scanInfo(progress);
   auto stage = scanStage(*results_.cloud(progress), *info);
@@ -64,7 +86,9 @@ pipeline::FitStage NodeletRunner::fit(const pipeline::ScanStage&, const scan_to_
 
 pipeline::PathStage NodeletRunner::path(const scan_to_path::process::Planner&, const pipeline::FitStage&,
                                         const scan_to_path::Progress& progress) {
-  return fromMsg(*results_.plannedPath(progress));
+  const auto planned = results_.plannedPath(progress);
+  path_delay_ = (ros::WallTime::now() - scanned_).toSec();
+  return fromMsg(*planned);
 }
 
 pipeline::MotionStage NodeletRunner::motion(const pipeline::PathStage&, const scan_to_path::Progress& progress) {
