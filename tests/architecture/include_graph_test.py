@@ -21,6 +21,19 @@ def includes(path):
     return INCLUDE.findall(path.read_text(encoding="utf-8"))
 
 
+# What is nothing without the nodelets around it: cell_job.py and cell_faults.py test it.
+TESTED_IN_THE_CELL = {"nodelet_runner", "stage", "stage_results", "log_player"}
+# The nodelet that plays robot and part.
+EMULATORS = {"point_laser_emulator.cpp"}
+
+
+def ros_files():
+    for base in ("include/scan_to_path_ros", "src/ros", "src/nodelets"):
+        for path in sorted((ROOT / base).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                yield base, path
+
+
 def core_files():
     for module in MODULES:
         for base in (ROOT / "include/scan_to_path" / module, ROOT / "src" / module):
@@ -43,6 +56,10 @@ def sees_truth(module, name):
     return module != "geometry" and pathlib.PurePath(name).name in TRUTH
 
 
+def sees_emulated_world(base, name):
+    return sees_truth(base, name) or name == "tools/emulated_world.h" or "emulate" in name
+
+
 class IncludeGraph(unittest.TestCase):
     def test_sees_the_tree(self):
         self.assertGreater(len(list(core_files())), 60)
@@ -55,6 +72,34 @@ class IncludeGraph(unittest.TestCase):
 
     def test_truth_stays_with_emulator_and_tests(self):
         self.assertEqual(violations(core_files(), sees_truth), [])
+
+    def test_truth_stays_with_the_emulating_nodelet(self):
+        files = [(base, path) for base, path in ros_files() if path.name not in EMULATORS]
+        self.assertGreater(len(files), 20)
+        self.assertEqual(violations(files, sees_emulated_world), [])
+        subscribing = [str(path.relative_to(ROOT)) for _, path in files if "truth/" in path.read_text(encoding="utf-8")]
+        self.assertEqual(subscribing, [])
+
+    def test_ros_sources_are_thin(self):
+        longest = 230  # lines
+        thick = [str(path.relative_to(ROOT)) for _, path in ros_files()
+                 if len(path.read_text(encoding="utf-8").splitlines()) > longest]
+        self.assertEqual(thick, [])
+
+    def test_every_ros_source_has_its_test(self):
+        tests = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests/ros").glob("*") if path.is_file())
+        missing = [str(path.relative_to(ROOT)) for base, path in ros_files() if base == "src/ros"
+                   and (ROOT / "include/scan_to_path_ros" / (path.stem + ".h")).exists()
+                   and not (ROOT / "tests/ros" / (path.stem + "_test.cpp")).exists()
+                   and path.stem not in TESTED_IN_THE_CELL]
+        self.assertEqual(missing, [])
+        plugins = (ROOT / "nodelet_plugins.xml").read_text(encoding="utf-8")
+        launch = (ROOT / "launch/cell.launch").read_text(encoding="utf-8")
+        for base, path in ros_files():
+            if base == "src/nodelets":
+                self.assertIn(f'name="scan_to_path/{path.stem}"', plugins)
+                self.assertIn(f"load scan_to_path/{path.stem} ", launch)  # which cell_job and cell_faults run
+        self.assertIn("launch/cell.launch", tests)
 
     def test_core_does_not_print(self):
         printing = re.compile(r"std::c(out|err)\b|\bprintf\(|\bputs\(")
@@ -82,6 +127,8 @@ class IncludeGraph(unittest.TestCase):
         for name in ("ros/ros.h", "sensor_msgs/PointCloud2.h", "scan_to_path/ToolPath.h", "tf2_ros/buffer.h"):
             self.assertTrue(ROS.match(name), name)
         self.assertFalse(ROS.match("scan_to_path/toolpath/tool_path.h"))
+        self.assertTrue(sees_emulated_world("src/nodelets", "scan_to_path/sensing/emulate_scan.h"))
+        self.assertTrue(sees_emulated_world("src/nodelets", "tools/emulated_world.h"))
 
 
 if __name__ == "__main__":

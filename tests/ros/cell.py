@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 scan_to_path developers
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of a running cell share: its jobs as a user starts them, its files, and bounded waits."""
+import json
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+
+import roslib.packages
+
+RUN_JOB = pathlib.Path(roslib.packages.find_node("scan_to_path", "run_job")[0])
+# Beside the devel space in a build, on PATH when installed.
+_BUILT = RUN_JOB.resolve().parents[3] / "scan_to_path"
+COMMAND_LINE = _BUILT if _BUILT.is_file() else pathlib.Path(shutil.which("scan_to_path") or "scan_to_path")
+
+# Rows 12 mm apart, driven faster: a job of a second or two that uses every stage.
+QUICK = "emulate: {raster: {pitch: 0.012, speed: 0.2}}\n"
+
+
+def wait_until(condition, seconds, what):
+    """Looks every 10 ms; fails when the time is over."""
+    limit = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > limit:
+            raise AssertionError(f"waited {seconds} s for {what}")
+        time.sleep(0.01)
+
+
+class Job:
+    """A job under way, started by the client that users have."""
+
+    def __init__(self, out, configuration="", env=None):
+        self.out = pathlib.Path(out)
+        command = [RUN_JOB, "--out", self.out, "--wait", "40"]
+        if configuration:
+            self.configuration = tempfile.NamedTemporaryFile("w", suffix=".yaml")
+            self.configuration.write(configuration)
+            self.configuration.flush()
+            command += ["--config", self.configuration.name]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env)
+
+    def interrupt(self):
+        self.process.send_signal(signal.SIGINT)
+
+    def finish(self, seconds=60):
+        """Exit status and everything that was said."""
+        try:
+            output, error = self.process.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise AssertionError(f"the job did not end within {seconds} s") from None
+        return self.process.returncode, output + error
+
+    def left_nothing(self):
+        return not self.out.exists() and not self.out.with_name(self.out.name + ".part").exists()
+
+    def report(self):
+        return json.loads((self.out / "report.json").read_text())
+
+
+class Listener:
+    """Keeps what comes on a topic, with the time it came."""
+
+    def __init__(self, topic, message_type, queue_size=None):
+        import rospy
+        self.messages = []
+        self._lock = threading.Lock()
+        self._subscriber = rospy.Subscriber(topic, message_type, self._add, queue_size=queue_size)
+
+    def _add(self, message):
+        with self._lock:
+            self.messages.append((time.monotonic(), message))
+
+    def clear(self):
+        with self._lock:
+            self.messages = []
+
+    def find(self, condition=lambda message: True):
+        with self._lock:
+            return next(((at, message) for at, message in self.messages if condition(message)), None)
+
+    def close(self):
+        self._subscriber.unregister()
