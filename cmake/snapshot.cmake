@@ -24,3 +24,6 @@ add_executable(scan_to_path_figure_scene ${figure_sources} src/tools/emulated_wo
 set_target_properties(scan_to_path_figure_scene PROPERTIES OUTPUT_NAME figure_scene)
 target_include_directories(scan_to_path_figure_scene PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(scan_to_path_figure_scene PRIVATE scan_to_path_ros)
+
+install(TARGETS scan_to_path_snapshot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS scan_to_path_figure_scene RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -77,15 +77,17 @@ bool isWaiting(rviz::Display* display) {
   });
 }
 
+/// What displays still lack. What is wrong with the fixed frame, rviz looks at once a second: it is a reason to give,
+/// and no reason to wait when all displays have what they show.
 QStringList missing(rviz::DisplayGroup* root) {
   QStringList missing;
-  const QString global = complaintOf(root);
-  if (!global.isEmpty()) missing << global;
   forEachDisplay(root, [&](rviz::Display* display) {
     if (!display->isEnabled()) return;
     const QString complaint = isWaiting(display) ? QString("nothing received") : complaintOf(display);
     if (!complaint.isEmpty()) missing << "display '" + display->getName() + "': " + complaint;
   });
+  const QString global = complaintOf(root);
+  if (!missing.empty() && !global.isEmpty()) missing << global;
   return missing;
 }
 
