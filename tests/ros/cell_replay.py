@@ -1,0 +1,85 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 scan_to_path developers
+# SPDX-License-Identifier: Apache-2.0
+"""A recorded scan gives the live run's program, byte for byte; a broken recording gives one line; the program played
+back stays on the path."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+from scan_to_path.msg import PlaybackDeviation
+from sensor_msgs.msg import JointState
+
+import cell
+
+POSITION, ANGLE = 1e-6, 1.745e-5  # [m], [rad] = 0.001 deg: the tool off the path at waypoints
+FILES = ("scan.pcd", "path.csv", "trajectory.csv", "pulses.csv", "program.mod")
+BAG = pathlib.Path(sys.argv[1])
+
+
+def run_job(out, *arguments, configuration=cell.QUICK):
+    file = out.with_suffix(".yaml")
+    file.write_text(configuration)
+    return subprocess.run([cell.RUN_JOB, "--out", out, "--config", file, "--wait", "40", *arguments],
+                          capture_output=True, text=True, timeout=60, check=False)
+
+
+class CellReplay(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory(prefix="scan_to_path_")
+        cls.directory = pathlib.Path(cls.temporary.name)
+        cls.joints = cell.Listener("/cell/joint_states", JointState)
+        cell.wait_until(cls.joints.find, 20.0, "the robot before any scan")
+        cls.joints.close()
+        cls.deviation = cell.Listener("/cell/playback_deviation", PlaybackDeviation)
+        cls.live = run_job(cls.directory / "live", "--play")
+        nodelet = roslib.packages.find_node("nodelet", "nodelet")[0]
+        subprocess.run([nodelet, "unload", "/cell/scan_recorder", "/cell/manager"], check=True, timeout=20)  # closes the bag
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+        BAG.unlink()
+
+    def test_the_played_back_tool_stays_on_the_path(self):
+        self.assertEqual(self.live.returncode, 0, self.live.stderr)
+        self.assertIn("played back", self.live.stdout)
+        _, last = self.deviation.find(lambda message: message.finished)
+        rows = [line for line in (self.directory / "live/path.csv").read_text().splitlines() if line[:1] != "#"]
+        self.assertEqual(last.waypoints, len(rows) - 1)
+        self.assertEqual(last.missing, 0)
+        print(f"played back off the path by {1e9 * last.position_largest:.3f} nm, {last.angle_largest:.2e} rad")
+        self.assertGreater(last.position_largest, 0.0)
+        self.assertLessEqual(last.position_largest, POSITION)
+        self.assertLessEqual(last.angle_largest, ANGLE)
+
+    def test_a_replay_gives_the_same_program(self):
+        # A scan would have other rows: what comes out is the recording's.
+        replay = run_job(self.directory / "replay", "--bag", BAG, configuration=cell.QUICK.replace("0.012", "0.02"))
+        self.assertEqual(replay.returncode, 0, replay.stderr)
+        for name in FILES:
+            self.assertEqual((self.directory / "live" / name).read_bytes(), (self.directory / "replay" / name).read_bytes(), name)
+
+    def test_a_broken_bag_is_refused_in_one_line(self):
+        whole = BAG.read_bytes()
+        for name, content in (("cut", whole[:len(whole) // 2]), ("no_bag", b"t,voltage\n"), ("empty", b"")):
+            bag = self.directory / (name + ".bag")
+            bag.write_bytes(content)
+            refused = run_job(self.directory / name, "--bag", bag)
+            self.assertEqual(refused.returncode, 2, name)
+            self.assertEqual(len(refused.stderr.strip().splitlines()), 1, refused.stderr)
+            self.assertIn(bag.name + ": not a whole bag", refused.stderr)
+            self.assertFalse((self.directory / name).exists())
+        missing = run_job(self.directory / "missing", "--bag", self.directory / "missing.bag")
+        self.assertEqual(missing.returncode, 2)
+
+
+if __name__ == "__main__":
+    rospy.init_node("cell_replay")
+    rostest.rosrun("scan_to_path", "cell_replay", CellReplay, sys.argv)
