@@ -138,6 +138,7 @@ void JobPanel::connectServer() {
 
 void JobPanel::look() {
   if (client_) client_->look();
+  if (playing_topic_.getNumPublishers() == 0) playing_ = false;
   const auto played = player_.takeAnswer();
   if (played) showError(*played);
   refresh();
@@ -145,20 +146,24 @@ void JobPanel::look() {
 
 void JobPanel::refresh() {
   const bool connected = client_ && client_->connected();
-  run_->setEnabled(connected && state_ == State::idle);
-  play_->setEnabled(state_ == State::idle && playing_topic_.getNumPublishers() > 0 && !player_.running());
+  const bool is_idle = state_ == State::idle;
+  run_->setEnabled(connected && is_idle && !playing_);  // the player and a scan would both say where the robot is
+  play_->setEnabled(is_idle && playing_topic_.getNumPublishers() > 0 && !player_.running());
   play_->setText(playing_ ? "Stop" : "Play");
   cancel_->setEnabled(state_ == State::running);
-  server_->setEnabled(state_ == State::idle);
+  server_->setEnabled(is_idle);
   if (state_ == State::running) return;  // the progress tells
-  if (state_ == State::cancelling)
+  if (!is_idle) {
     state_text_->setText("cancelling");
-  else
-    state_text_->setText(connected ? "ready" : "waiting for the job server");
+  } else if (!connected) {
+    state_text_->setText("waiting for the job server");
+  } else {
+    state_text_->setText(playing_ ? "playing" : "ready");
+  }
 }
 
 void JobPanel::run() {
-  if (!client_ || state_ != State::idle) return;
+  if (!client_ || state_ != State::idle || playing_) return;
   scan_to_path::RunJobGoal goal;
   goal.process = process_->text().trimmed().toStdString();
   goal.configuration = configuration_->toPlainText().toStdString();

@@ -28,7 +28,7 @@ struct PathLook {
   std::function<Ogre::ColourValue(scan_to_path::toolpath::Verdict)> mark_color;
   Ogre::ColourValue arrow_color;
   float line_width = 0.001F;
-  float mark_size = 0.004F;
+  float mark_size = 0.002F;
   float frame_size = 0.01F;
 };
 

@@ -282,8 +282,21 @@ TEST_F(JobPanelTest, playsWithoutWaitingAndStops) {
   player.release();
   ASSERT_TRUE(until([&] { return button("play")->isEnabled() && button("play")->text() == "Stop"; }));
   EXPECT_EQ(label("error"), "");
+  EXPECT_EQ(label("state"), "playing");
+  EXPECT_FALSE(button("run")->isEnabled());
   button("play")->click();
   EXPECT_TRUE(until([&] { return button("play")->isEnabled() && button("play")->text() == "Play"; }));
+  EXPECT_TRUE(idle());
+}
+
+TEST_F(JobPanelTest, forgetsAPlayerThatIsGone) {
+  auto player = std::make_unique<FakePlayer>();
+  player->release();
+  ASSERT_TRUE(until([&] { return button("play")->isEnabled(); }));
+  button("play")->click();
+  ASSERT_TRUE(until([&] { return button("play")->isEnabled() && button("play")->text() == "Stop"; }));
+  player.reset();
+  EXPECT_TRUE(until([&] { return !button("play")->isEnabled() && idle(); }));
 }
 
 TEST_F(JobPanelTest, saysWhyNothingIsPlayed) {
