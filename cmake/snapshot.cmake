@@ -8,7 +8,7 @@ find_library(OSMESA_LIBRARY OSMesa REQUIRED)
 
 # rviz draws through OGRE, which speaks only to GLX and Xlib: the executable brings both, on top of OSMesa. OSMesa comes
 # first on the link line, so that every library's OpenGL is OSMesa's; symbols are exported for OGRE's render system,
-# which is a plugin. The configuration's rviz_LIBRARIES would put OpenGL's own library there.
+# which is a plugin. rviz_LIBRARIES names OpenGL's own library too, but only behind it.
 file(GLOB snapshot_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/tools/snapshot/*.cpp)
 add_executable(scan_to_path_snapshot ${snapshot_sources})
 set_target_properties(scan_to_path_snapshot PROPERTIES OUTPUT_NAME snapshot ENABLE_EXPORTS ON)
