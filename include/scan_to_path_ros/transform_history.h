@@ -18,7 +18,7 @@ struct TransformHistoryOptions {
   std::string base_frame = "base_link";
   std::string sensor_frame = "sensor";
   double max_joint_gap = 0.05;  ///< readings farther apart are a gap [s]
-  double max_speed = 10.0;      ///< readings between which the sensor is faster are a jump [m/s]
+  double max_speed = 2.0;       ///< readings between which the sensor is faster are a jump [m/s]
   double max_disorder =
       1.0;              ///< a transform this much older than its frame's newest means that the clock went back [s]
   double cache = 60.0;  ///< history kept [s]

@@ -47,15 +47,15 @@ TEST_F(TransformHistoryTest, TellsAGap) {
 }
 
 TEST_F(TransformHistoryTest, TellsAJumpOfPlaceOrDirection) {
-  // 10 m/s over 10 ms allow 100 mm.
+  // 2 m/s over 10 ms allow 20 mm.
   auto moved = MovingSensor::linkTransform(0.11);
-  moved.transform.translation.x += 0.101;
+  moved.transform.translation.x += 0.021;
   history_.add(moved, false);
   EXPECT_EQ(history_.reach(MovingSensor::stamp(0.105)), Reach::jump);
   EXPECT_EQ(history_.reach(MovingSensor::stamp(0.095)), Reach::known);
   auto back = moved;
   back.header.stamp = MovingSensor::stamp(0.12);
-  back.transform.translation.x -= 0.098;  // within what the speed allows
+  back.transform.translation.x -= 0.018;  // within what the speed allows
   history_.add(back, false);
   EXPECT_EQ(history_.reach(MovingSensor::stamp(0.115)), Reach::known);
   const auto turned = Eigen::AngleAxisd(1.5707963267948966, Eigen::Vector3d::UnitY()) *
