@@ -7,6 +7,7 @@
 #include <kdl_parser/kdl_parser.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <cmath>
 #include <memory>
 
 #include "scan_to_path/common/error.h"
@@ -70,6 +71,12 @@ class CellFrames : public nodelet::Nodelet {
     if (joints->name.size() != joints->position.size()) {
       NODELET_ERROR_THROTTLE(1.0, "joint states with %zu names and %zu positions are left out", joints->name.size(),
                              joints->position.size());
+      return;
+    }
+    for (std::size_t i = 0; i < joints->name.size(); ++i) {
+      if (std::isfinite(joints->position[i])) continue;
+      NODELET_ERROR_THROTTLE(1.0, "joint states with %s at %f are left out", joints->name[i].c_str(),
+                             joints->position[i]);
       return;
     }
     std::map<std::string, double> positions;
