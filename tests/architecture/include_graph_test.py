@@ -21,7 +21,7 @@ def includes(path):
     return INCLUDE.findall(path.read_text(encoding="utf-8"))
 
 
-# What is nothing without the nodelets around it: cell_job.py and cell_faults.py test it.
+# What is nothing without the nodelets around it: cell_job.py tests it.
 TESTED_IN_THE_CELL = {"nodelet_runner", "stage", "stage_results", "log_player"}
 # The nodelet that plays robot and part.
 EMULATORS = {"point_laser_emulator.cpp"}
@@ -98,7 +98,7 @@ class IncludeGraph(unittest.TestCase):
         for base, path in ros_files():
             if base == "src/nodelets":
                 self.assertIn(f'name="scan_to_path/{path.stem}"', plugins)
-                self.assertIn(f"load scan_to_path/{path.stem} ", launch)  # which cell_job and cell_faults run
+                self.assertIn(f"load scan_to_path/{path.stem} ", launch)  # which cell_job runs
         self.assertIn("launch/cell.launch", tests)
 
     def test_core_does_not_print(self):
