@@ -62,7 +62,8 @@ Cell makeCell(const CellOptions& options, const std::vector<fs::path>& package_p
               options.laser,
               mounted(options.sensor, "sensor", options.tip_link),
               mounted(options.tool, "tool", options.tip_link),
-              mounted(options.workpiece, "workpiece", options.base_link)};
+              mounted(options.workpiece, "workpiece", options.base_link),
+              options.encoders};
 }
 
 }  // namespace scan_to_path::pipeline

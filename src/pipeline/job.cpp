@@ -26,6 +26,7 @@ public:
       : request_(request), options_(options), progress_(progress), cell_(cell), stages_(stages) {}
 
   JobResult run() {
+    if (reaches(Stage::path)) planner_ = makePlanner(request_.process, options_);
     stages_.read(progress_);
     timing_.mark("read");
     scan();
@@ -65,7 +66,6 @@ private:
   }
 
   void path() {
-    planner_ = makePlanner(request_.process, options_);
     path_ = stages_.path(*planner_, fit_, progress_);
     driven_ = airRun(path_, cell_, options_.program);
     take(path_.report, path_.accuracy);
@@ -101,7 +101,7 @@ private:
     motion_ = stages_.motion(driven_, progress_);
     output_.setPath(driven_.planned.path, motion_.verdicts);
     if (request_.allow_partial && !output_.hasFailedTolerance()) partial();
-    take(motion_.report, motion_.accuracy);
+    take(motion_.report, motion_.accuracy, motion_.notes);
     if (output_.isBlocked()) {
       output_.addNote("no trajectory and no program written: see what failed");
       noteRowOrder();

@@ -40,6 +40,11 @@ PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, 
 
 std::unique_ptr<process::Planner> makePlanner(const std::string& process, const JobOptions& options) {
   if (process != "cutting") throw InputError("process '" + process + "' is not known; known: cutting");
+  if (!options.fit.with_surface) {
+    throw InputError(
+        "fit.with_surface is false: cutting needs the surface for the distance of rows and to find gouges, with "
+        "path.row_source=scan_lines too; set it to true, or stop after the fit");
+  }
   return process::makeCuttingPlanner(options.path);
 }
 

@@ -16,7 +16,8 @@
 namespace scan_to_path::pipeline {
 namespace {
 
-/// What lies beside the part is no loss; everything else that does not reach the fit is.
+/// What lies beside the part is no loss, and what of it did not come back is the unseen share's; everything else that
+/// does not reach the fit is.
 bool isLoss(const std::string& reason) { return reason != "turn" && reason != "background" && reason != "no return"; }
 
 double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
@@ -70,6 +71,17 @@ void markAirRun(std::vector<toolpath::WaypointVerdict>& verdicts) {
   }
 }
 
+/// Tells at which waypoint a figure of the playback is largest, when it fails.
+void notePlace(const std::string& name, const toolpath::WaypointIndex& at, const toolpath::ToolPath& path,
+               MotionStage& stage) {
+  const auto figure = std::find_if(stage.accuracy.begin(), stage.accuracy.end(),
+                                   [&name](const Accuracy& candidate) { return candidate.name == name; });
+  if (figure == stage.accuracy.end() || figure->pass()) return;
+  stage.notes.push_back(name + " is largest at " + path.segments[static_cast<std::size_t>(at.segment)].name +
+                        " waypoint " + std::to_string(at.index) +
+                        (name == "chord_error" ? ", on the move that leads to it" : ""));
+}
+
 }  // namespace
 
 ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const ScanSection& options,
@@ -86,6 +98,7 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
                                       progress);
   addClockOffset(estimate, placement.clock_offset, limits, stage);
   stage.cloud = std::move(placed.cloud);
+  stage.no_returns = std::move(placed.no_returns);
   stage.mean_beam = placed.mean_beam;
   stage.report = {"scan", placed.samples_in, stage.cloud.size(), placed.dropped};
   return stage;
@@ -118,7 +131,8 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   const scan::FittedScan& scan = stage.scan;
   stage.report = {"fit", scan.samples_in, scan.samples_used, scan.dropped};
   double squares = 0.0;
-  for (const auto& line : scan.lines) squares += line.residual_rms * line.residual_rms * static_cast<double>(line.samples);
+  for (const auto& line : scan.lines)
+    squares += line.residual_rms * line.residual_rms * static_cast<double>(line.samples);
   const double line_rms = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(scan.samples_used, 1)));
   stage.accuracy.push_back({"line_residual_rms", line_rms, "m", limitUnlessZero(limits.max_line_residual)});
   stage.accuracy.push_back({"line_noise", scan.line_sigma, "m"});
@@ -132,8 +146,9 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
   // The filter cuts a row at a gap of max_gap, and of five samples at least.
-  const UnseenShare unseen = unseenShare(rows, std::max(scan_options.cloud.filter.max_gap, 5.0 * rows.spacing));
-  stage.accuracy.push_back({"unseen_share", unseen.sum(), "1"});
+  const UnseenShare unseen = unseenShare(scanned.cloud, rows, scanned.no_returns,
+                                         std::max(scan_options.cloud.filter.max_gap, 5.0 * rows.spacing));
+  stage.accuracy.push_back({"unseen_share", unseen.sum(), "1", limits.max_unseen_share});
   if (const auto note = unseenNote(unseen, limits.note_unseen_share)) stage.notes.push_back(*note);
   return stage;
 }
@@ -145,18 +160,22 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
   stage.plan = motion::planMotion(planned.path, cell.robot, cell.T_tip_tcp, options.motion, progress);
   if (is_air_run) markAirRun(stage.plan.verdicts);
   stage.verdicts = merged(planned.findings, stage.plan.verdicts);
-  const auto failed = static_cast<std::size_t>(
-      std::count_if(stage.verdicts.begin(), stage.verdicts.end(),
-                    [](const auto& verdict) { return verdict.verdict != toolpath::Verdict::ok; }));
+  const auto failed =
+      static_cast<std::size_t>(std::count_if(stage.verdicts.begin(), stage.verdicts.end(), [](const auto& verdict) {
+        return verdict.verdict != toolpath::Verdict::ok;
+      }));
   stage.report = {"motion", stage.verdicts.size(), stage.verdicts.size() - failed, {}};
   const auto playback = verification::playBack(stage.plan.trajectory, cell.robot, cell.T_tip_tcp, planned.path);
-  constexpr double position_limit = 1e-6;              // [m]
+  constexpr double position_limit = 1e-6;               // [m]
   constexpr double angle_limit = 0.001 * M_PI / 180.0;  // [rad]
   stage.accuracy = {{"playback_missing", static_cast<double>(playback.missing), "1", 0.0},
                     {"playback_position", playback.position_largest, "m", position_limit},
                     {"playback_angle", playback.angle_largest, "rad", angle_limit},
                     {"chord_error", is_air_run ? playback.air_chord_largest : playback.chord_largest, "m",
                      options.motion.chord_tolerance}};
+  notePlace("playback_position", playback.position_largest_at, planned.path, stage);
+  notePlace("playback_angle", playback.angle_largest_at, planned.path, stage);
+  notePlace("chord_error", is_air_run ? playback.air_chord_largest_at : playback.chord_largest_at, planned.path, stage);
   if (!stage.plan.trajectory.points.empty()) {
     stage.accuracy.push_back({"duration", stage.plan.trajectory.points.back().time, "s"});
   }
@@ -186,7 +205,7 @@ ProgramStage programStage(const PathStage& path, const MotionStage& motion, cons
 PulsesStage pulsesStage(const MotionStage& motion, const Cell& cell) {
   PulsesStage stage;
   stage.file = motion::formatPulses(motion.plan.trajectory, cell.encoders);
-  const auto check = verification::checkPulses(stage.file, motion.plan.trajectory, cell.encoders);
+  const auto check = verification::checkPulses(stage.file, motion.plan.trajectory, cell.encoder_options, cell.robot);
   // Rounding takes half a count; a whole one is what the controller's own resolution is.
   stage.accuracy = {{"pulses_mismatches", static_cast<double>(check.mismatches), "1", 0.0},
                     {"pulses_difference", check.largest_difference, "count", 1.0}};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/pipeline/beyond_range.h"
 
 namespace scan_to_path::pipeline {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 /// Lengths of rows [m].
 struct Lengths {
   double seen_and_not = 0.0;
+  double too_near = 0.0;
+  double too_far = 0.0;
   double no_return = 0.0;
   double other = 0.0;
 };
@@ -58,20 +61,24 @@ std::vector<Row> partRows(const scan::SampleRows& rows, double shortest_gap, Len
   return found;
 }
 
-/// Rows between two others that have nothing of the part where both of these have.
-void addMissingRows(const std::vector<Row>& rows, double spacing, Lengths& lengths) {
+/// What rows are apart where none is missing.
+double usualDistance(const std::vector<Row>& rows) {
   std::vector<double> distances;
   for (std::size_t i = 1; i < rows.size(); ++i) distances.push_back(rows[i].y - rows[i - 1].y);
-  if (distances.empty()) return;
+  if (distances.empty()) return 0.0;
   // Rasters may alternate between two pitches: the larger one counts.
-  std::vector<double> sorted = distances;
-  std::sort(sorted.begin(), sorted.end());
-  const double usual = sorted[3 * (sorted.size() - 1) / 4];
+  std::sort(distances.begin(), distances.end());
+  return distances[3 * (distances.size() - 1) / 4];
+}
+
+/// Rows between two others that have nothing of the part where both of these have.
+void addMissingRows(const std::vector<Row>& rows, double usual, double spacing, Lengths& lengths) {
   constexpr double largest_usual = 2.5;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    const double distance = rows[i + 1].y - rows[i].y;
     const double overlap = std::min(rows[i].end, rows[i + 1].end) - std::max(rows[i].begin, rows[i + 1].begin);
-    if (!(distances[i] > largest_usual * usual) || overlap <= 0.0) continue;
-    const double length = overlap * (distances[i] / usual - 1.0);
+    if (!(distance > largest_usual * usual) || overlap <= 0.0) continue;
+    const double length = overlap * (distance / usual - 1.0);
     const bool rising = rows[i + 1].first_index > rows[i].last_index;
     addUnseen(length, rising ? rows[i].last_index : rows[i + 1].last_index,
               rising ? rows[i + 1].first_index : rows[i].first_index, spacing, lengths);
@@ -79,23 +86,62 @@ void addMissingRows(const std::vector<Row>& rows, double spacing, Lengths& lengt
   }
 }
 
+/// True on a row between its first and its last sample of the part, and between rows where both have the part.
+bool isInside(const std::vector<Row>& rows, double usual, double x, double y) {
+  const auto on = [x](const Row& row) { return x >= row.begin && x <= row.end; };
+  const auto above =
+      std::lower_bound(rows.begin(), rows.end(), y, [](const Row& row, double at) { return row.y < at; });
+  const bool on_above = above != rows.end() && on(*above);
+  const bool on_below = above != rows.begin() && on(*(above - 1));
+  if (on_above && on_below) return true;
+  return (on_above && above->y - y <= 0.5 * usual) || (on_below && y - (above - 1)->y <= 0.5 * usual);
+}
+
+/// Adds what lies beyond the range beside the rows, and names what does inside them.
+void addBeyondRange(const BeyondRangeLengths& beyond, Lengths& lengths) {
+  const double inside = beyond.inside.too_near + beyond.inside.too_far;
+  // Gaps are measured from sample to sample, these lengths in cells: what is named cannot be more than the gaps.
+  const double named = inside > 0.0 ? std::min(1.0, lengths.no_return / inside) : 0.0;
+  lengths.no_return -= named * inside;
+  lengths.too_near += named * beyond.inside.too_near + beyond.outside.too_near;
+  lengths.too_far += named * beyond.inside.too_far + beyond.outside.too_far;
+  lengths.seen_and_not += beyond.outside.too_near + beyond.outside.too_far;
+}
+
 std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
 
 }  // namespace
 
-UnseenShare unseenShare(const scan::SampleRows& rows, double shortest_gap) {
+UnseenShare unseenShare(const scan::ScanCloud& cloud, const scan::SampleRows& rows, const scan::NoReturns& no_returns,
+                        double shortest_gap) {
   Lengths lengths;
   const std::vector<Row> part = partRows(rows, shortest_gap, lengths);
-  addMissingRows(part, rows.spacing, lengths);
-  if (!(lengths.seen_and_not > 0.0)) return {};
-  return {lengths.no_return / lengths.seen_and_not, lengths.other / lengths.seen_and_not};
+  const double usual = usualDistance(part);
+  addMissingRows(part, usual, rows.spacing, lengths);
+  if (!no_returns.beams.empty() && usual > 0.0) {
+    const auto is_inside = [&](double x, double y) { return isInside(part, usual, x, y); };
+    addBeyondRange(lengthsBeyondRange(cloud, rows, no_returns, usual, is_inside), lengths);
+  }
+  const double whole = lengths.seen_and_not;
+  if (!(whole > 0.0)) return {};
+  return {lengths.too_near / whole, lengths.too_far / whole, std::max(0.0, lengths.no_return / whole),
+          lengths.other / whole};
 }
 
 std::optional<std::string> unseenNote(const UnseenShare& share, double limit) {
   if (share.sum() <= limit) return std::nullopt;
-  return percent(share.sum()) + " of the rows inside the part's outline was not seen as part (" +
-         percent(share.no_return) + " no return, " + percent(share.other) +
-         " table or dropped): where that is no hole, sweep the part a second time from another height or direction";
+  std::string sweep = "from another height or direction";
+  if (share.too_near > 0.0 && share.too_far > 0.0) {
+    sweep = "with the sensor higher for what is too near, and lower for what is too far";
+  } else if (share.too_near > 0.0) {
+    sweep = "with the sensor higher";
+  } else if (share.too_far > 0.0) {
+    sweep = "with the sensor lower";
+  }
+  return percent(share.sum()) + " of the part's rows was not seen as part (" + percent(share.too_near) +
+         " too near for the sensor, " + percent(share.too_far) + " too far, " + percent(share.no_return) +
+         " no return, " + percent(share.other) +
+         " table or dropped): where that is no hole, sweep the part a second time " + sweep;
 }
 
 }  // namespace scan_to_path::pipeline

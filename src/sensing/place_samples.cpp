@@ -25,6 +25,7 @@ struct Block {
   std::size_t placed = 0;
   std::array<std::size_t, reasons> dropped{};
   Vector3 beam_sum = Vector3::Zero();
+  std::vector<scan::NoReturn> no_returns;
 };
 
 /// What every sample needs, computed once.
@@ -34,8 +35,8 @@ struct Placement {
   const PointLaserOptions& laser;
   const JointReadings& readings;
   double clock_offset;
-  Vector3 origin_tip;      // of the sensor
-  Vector3 beam_tip;        // unit
+  Vector3 origin_tip;             // of the sensor
+  Vector3 beam_tip;               // unit
   std::vector<double> tolerance;  // by which each joint may be outside its limits [rad]
 };
 
@@ -79,6 +80,17 @@ void checkLimits(const Placement& placement, const robot::JointVector& angles, s
   checkCoupledAxis(placement, angles, sample);
 }
 
+/// Adds where a beam without a return ends, as far as the joints at its time are known.
+void addNoReturn(const Placement& placement, std::size_t sample, std::size_t& cursor, Block& block) {
+  robot::JointVector angles(placement.robot.dof());
+  const double time = placement.log.sensor_time[sample] + placement.clock_offset;
+  if (placement.readings.anglesAt(time, cursor, angles) != JointReadings::Status::found) return;
+  const Frame T_base_tip = robot::forwardKinematics(placement.robot, angles);
+  const Vector3 far_end_tip = placement.origin_tip + placement.laser.distance_max * placement.beam_tip;
+  block.no_returns.push_back(
+      {(T_base_tip * far_end_tip).cast<float>(), isTooNear(placement.laser, placement.log.voltage[sample])});
+}
+
 void placeBlock(const Placement& placement, std::size_t begin, std::size_t end, scan::ScanPoint* points, Block& block) {
   const auto& log = placement.log;
   std::size_t cursor = 0;
@@ -86,7 +98,9 @@ void placeBlock(const Placement& placement, std::size_t begin, std::size_t end, 
   for (std::size_t i = begin; i < end; ++i) {
     const auto distance = distanceFromVoltage(placement.laser, log.voltage[i]);
     if (!distance) {
-      ++block.dropped[std::isnan(log.voltage[i]) ? sensor_fault : no_return];
+      const bool is_fault = std::isnan(log.voltage[i]);
+      ++block.dropped[is_fault ? sensor_fault : no_return];
+      if (!is_fault) addNoReturn(placement, i, cursor, block);
       continue;
     }
     const auto status = placement.readings.anglesAt(log.sensor_time[i] + placement.clock_offset, cursor, angles);
@@ -123,10 +137,19 @@ std::vector<scan::Dropped> droppedByReason(const std::vector<Block>& blocks) {
   return dropped;
 }
 
-[[noreturn]] void throwNothingPlaced(std::size_t samples, const std::vector<scan::Dropped>& dropped) {
-  std::string message = "sample log: none of " + std::to_string(samples) + " samples can be placed";
+[[noreturn]] void throwNothingPlaced(const scan::SampleLog& log, const PointLaserOptions& laser,
+                                     const std::vector<scan::Dropped>& dropped) {
+  std::string message = "sample log: none of " + std::to_string(log.voltage.size()) + " samples can be placed";
   for (const auto& entry : dropped) message += ", " + std::to_string(entry.count) + " " + entry.reason;
-  throw InputError(message);
+  const bool is_out_of_range = std::any_of(dropped.begin(), dropped.end(),
+                                           [](const auto& entry) { return entry.reason == reason_names[no_return]; });
+  if (!is_out_of_range) throw InputError(message);
+  const auto too_near = std::count_if(log.voltage.begin(), log.voltage.end(),
+                                      [&laser](double voltage) { return isTooNear(laser, voltage); });
+  throw InputError(
+      message + " (" + std::to_string(too_near) +
+      " of them too near): the part is beyond the sensor's range, sweep it a second time with the sensor " +
+      (too_near > 0 ? "higher" : "lower"));
 }
 
 /// Closes the gaps that dropped samples left between the blocks.
@@ -143,6 +166,15 @@ void joinBlocks(const std::vector<Block>& blocks, scan::ScanCloud& cloud) {
   cloud.height = 1;
 }
 
+scan::NoReturns joinedNoReturns(const std::vector<Block>& blocks, const PointLaserOptions& laser) {
+  scan::NoReturns joined;
+  joined.range = laser.distance_max - laser.distance_min;
+  for (const auto& block : blocks) {
+    joined.beams.insert(joined.beams.end(), block.no_returns.begin(), block.no_returns.end());
+  }
+  return joined;
+}
+
 }  // namespace
 
 PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
@@ -153,8 +185,14 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
   checkLog(log);
   progress.update("placing samples", 0.0);
   const JointReadings readings(log, robot, encoders, options.max_joint_gap);
-  const Placement placement{log, robot, laser, readings, options.clock_offset, T_tip_sensor.translation(),
-                            T_tip_sensor.linear().col(2), angleOfOneCount(robot, encoders)};
+  const Placement placement{log,
+                            robot,
+                            laser,
+                            readings,
+                            options.clock_offset,
+                            T_tip_sensor.translation(),
+                            T_tip_sensor.linear().col(2),
+                            angleOfOneCount(robot, encoders)};
   const std::size_t samples = log.sensor_time.size();
   PlacedScan scan;
   scan.samples_in = samples;
@@ -170,7 +208,8 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
   });
   scan.dropped = droppedByReason(blocks);
   joinBlocks(blocks, scan.cloud);
-  if (scan.cloud.points.empty()) throwNothingPlaced(samples, scan.dropped);
+  scan.no_returns = joinedNoReturns(blocks, laser);
+  if (scan.cloud.points.empty()) throwNothingPlaced(log, laser, scan.dropped);
   Vector3 beam_sum = Vector3::Zero();
   for (const auto& block : blocks) beam_sum += block.beam_sum;
   scan.mean_beam = geometry::roundedDirection(beam_sum);

@@ -17,6 +17,11 @@ std::optional<double> distanceFromVoltage(const PointLaserOptions& laser, double
   return laser.distance_min + share * (laser.distance_max - laser.distance_min);
 }
 
+bool isTooNear(const PointLaserOptions& laser, double voltage) {
+  const bool is_rising = laser.voltage_max > laser.voltage_min;
+  return is_rising ? voltage < laser.voltage_min : voltage > laser.voltage_min;
+}
+
 double voltageFromDistance(const PointLaserOptions& laser, double distance) {
   const double share = (distance - laser.distance_min) / (laser.distance_max - laser.distance_min);
   return laser.voltage_min + share * (laser.voltage_max - laser.voltage_min);

@@ -142,7 +142,7 @@ private:
       if (target.process_on) {
         raise(off, target.at, report_.chord_largest, report_.chord_largest_at);
       } else {
-        report_.air_chord_largest = std::max(report_.air_chord_largest, off);
+        raise(off, target.at, report_.air_chord_largest, report_.air_chord_largest_at);
       }
     }
   }

@@ -275,6 +275,38 @@ class CommandLine(unittest.TestCase):
         self.assertIn("out of the sensor's range", done.stdout)
         self.assertIn("second time", done.stdout)
 
+    def emulated_at(self, height, *arguments):
+        log = self.root / f"at_{height}.csv"
+        done = run("emulate", "--errors", "realistic", *SMALL, "--set", f"emulate.raster.height={height}", *arguments,
+                   "--out", log)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return log
+
+    def test_half_a_part_is_no_success(self):
+        for height, side, way in (("0.12", "too far", "lower"), ("0.056", "too near", "higher"),
+                                  ("0.1", "too far", "lower"), ("0.062", "too near", "higher")):
+            with self.subTest(height=height):
+                out = f"half_{height}"
+                done = self.plan(input=self.emulated_at(height), out=out)
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                note = [line for line in done.stdout.splitlines() if "a second time with the sensor " + way in line]
+                self.assertEqual(len(note), 1, done.stdout)
+                self.assertNotIn(" 0.0 % " + side, note[0].replace("(", " "))
+                self.assertIn("FAILED    unseen_share is ", done.stdout)
+                self.assertFalse([name for name in os.listdir(self.root / out)
+                                  if name.startswith(("program", "pulses", "trajectory"))])
+
+    def test_a_part_out_of_sight_asks_for_another_sweep(self):
+        self.assert_refused(self.plan(input=self.emulated_at("0.2"), out="none"), "none of", "no return",
+                            "second time with the sensor lower", out="none")
+        self.assert_refused(self.plan(input=self.emulated_at("0.02"), out="none"), "none of", "no return",
+                            "second time with the sensor higher", out="none")
+
+    def test_what_must_be_there_is_asked_for_by_name(self):
+        self.assert_refused(self.plan("--set", "fit.with_surface=false", "--set", "path.row_source=scan_lines"),
+                            "fit.with_surface is false")
+        self.assert_refused(self.plan("--set", "path.pitch=1e-7"), "path.pitch of 0.100 um", "at most 10000")
+
     # What must not be lost
 
     def test_full_disk_leaves_the_older_result(self):

@@ -25,5 +25,14 @@ TEST(PathStage, NamesTheProcessesThatAreThere) {
   EXPECT_EQ(makePlanner("cutting", {})->shortestPiece(), process::CuttingOptions().ball_radius);
 }
 
+// Row distances and gouges are found on the surface, whatever the rows follow.
+TEST(PathStage, NeedsTheSurface) {
+  JobOptions options;
+  options.fit.with_surface = false;
+  test::expectInputError([&] { makePlanner("cutting", options); }, "fit.with_surface is false");
+  options.path.row_source = process::RowSource::scan_lines;
+  test::expectInputError([&] { makePlanner("cutting", options); }, "path.row_source=scan_lines too");
+}
+
 }  // namespace
 }  // namespace scan_to_path::pipeline

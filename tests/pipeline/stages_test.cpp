@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/program/rapid_reader.h"
@@ -102,6 +103,23 @@ TEST(Stages, FindingsOfThePathOutrankTheMotions) {
   EXPECT_EQ(motion.report.out, motion.report.in - 1);
 }
 
+// The middle of the second move is in the robot's base, where halving the move ends.
+TEST(Stages, AChordThatFailsNamesItsWaypoint) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  PathStage path;
+  const auto pose = [](double y) { return geometry::makeFrame({0.1, y, 0.6}, {M_PI, 0.0, 0.0}); };
+  path.planned.path.segments.push_back({"row_7", std::vector<toolpath::Waypoint>(3)});
+  const std::array<double, 3> y = {-0.91, -0.9, 0.9};
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    path.planned.path.segments[0].waypoints[i].pose = pose(y[i]);
+    path.planned.path.segments[0].waypoints[i].process_on = true;
+    path.planned.path.segments[0].waypoints[i].feed = 0.02;
+  }
+  const MotionStage motion = motionStage(path, cell, {}, {});
+  ASSERT_FALSE(figure(motion.accuracy, "chord_error").pass());
+  EXPECT_THAT(motion.notes, testing::Contains(HasSubstr("chord_error is largest at row_7 waypoint 2")));
+}
+
 TEST(Stages, ProgramIsReadBackWithoutDiscrepancy) {
   const Cell cell = makeCell(CellOptions(), source_package);
   const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
@@ -133,8 +151,8 @@ TEST(Stages, AnAirRunIsTheRealOneLifted) {
   const auto& points = motion.plan.trajectory.points;
   std::size_t move = 1;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const bool is_waypoint = k + 1 == points.size() || points[k + 1].segment != points[k].segment ||
-                             points[k + 1].index != points[k].index;
+    const bool is_waypoint =
+        k + 1 == points.size() || points[k + 1].segment != points[k].segment || points[k + 1].index != points[k].index;
     if (!is_waypoint) continue;
     const auto& waypoint = part.planned.path.segments[static_cast<std::size_t>(points[k].segment)]
                                .waypoints[static_cast<std::size_t>(points[k].index)];

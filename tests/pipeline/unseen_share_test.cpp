@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "scan_to_path/geometry/scene.h"
@@ -31,18 +33,36 @@ std::shared_ptr<const geometry::Surface> floorAt(double z) {
                                                   geometry::makeFrame({0, 0, z}, Vector3::Zero()));
 }
 
-FitStage fitted(Surfaces surfaces, const ReportOptions& limits = {}) {
+FitStage fitted(const scan::SampleLog& log, const ReportOptions& limits = {}) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  const geometry::Scene scene(std::move(surfaces));
-  return fitStage(scanFromSamples(smallScan(scene), cell, {}, {}, 1, {}), {}, {}, limits, 1, {});
+  return fitStage(scanFromSamples(log, cell, {}, {}, 1, {}), {}, {}, limits, 1, {});
 }
 
-double unseen(const FitStage& fit) {
-  for (const auto& figure : fit.accuracy) {
-    if (figure.name == "unseen_share") return figure.value;
-  }
-  return -1.0;
+FitStage fitted(Surfaces surfaces, const ReportOptions& limits = {}) {
+  return fitted(smallScan(geometry::Scene(std::move(surfaces))), limits);
 }
+
+/// A plane at 45 degrees through the middle of the range, turned about the workpiece's x or y.
+scan::SampleLog slope(double about_x, double about_y) {
+  const geometry::PosedSurface plane(std::make_shared<geometry::Plane>(),
+                                     geometry::makeFrame({0, 0, 0}, {about_x, about_y, 0.0}));
+  return smallScan(plane);
+}
+
+UnseenShare shareOf(const scan::SampleLog& log) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const ScanStage scanned = scanFromSamples(log, cell, {}, {}, 1, {});
+  const auto rows = scan::cleanRows(scanned.cloud, scanned.mean_beam, {});
+  return unseenShare(scanned.cloud, rows, scanned.no_returns, 0.002);
+}
+
+const Accuracy* figureOf(const FitStage& fit) {
+  const auto found = std::find_if(fit.accuracy.begin(), fit.accuracy.end(),
+                                  [](const Accuracy& figure) { return figure.name == "unseen_share"; });
+  return found == fit.accuracy.end() ? nullptr : &*found;
+}
+
+double unseen(const FitStage& fit) { return figureOf(fit) != nullptr ? figureOf(fit)->value : -1.0; }
 
 // 60 mm by 60 mm, rows at y = -28, -24, … 28 mm; a pocket of 20 mm by 20 mm takes a third of the five within +-10 mm.
 const std::vector<Rectangle> pocketed = {
@@ -71,10 +91,54 @@ TEST(UnseenShare, OfAPocketBeyondTheRangeIsItsShareOfTheRows) {
 }
 
 TEST(UnseenShare, TheNoteNamesShareAndRemedy) {
-  EXPECT_EQ(unseenNote({0.1, 0.025}, 0.05),
-            "12.5 % of the rows inside the part's outline was not seen as part (10.0 % no return, 2.5 % table or "
-            "dropped): where that is no hole, sweep the part a second time from another height or direction");
-  EXPECT_FALSE(unseenNote({0.1, 0.025}, 0.2));
+  EXPECT_EQ(unseenNote({0.0, 0.0, 0.1, 0.025}, 0.05),
+            "12.5 % of the part's rows was not seen as part (0.0 % too near for the sensor, 0.0 % too far, 10.0 % no "
+            "return, 2.5 % table or dropped): where that is no hole, sweep the part a second time from another height "
+            "or direction");
+  EXPECT_THAT(*unseenNote({0.1, 0.0, 0.0, 0.0}, 0.05), HasSubstr("a second time with the sensor higher"));
+  EXPECT_THAT(*unseenNote({0.0, 0.1, 0.0, 0.0}, 0.05), HasSubstr("a second time with the sensor lower"));
+  EXPECT_THAT(*unseenNote({0.1, 0.1, 0.0, 0.0}, 0.05), HasSubstr("higher for what is too near, and lower for"));
+  EXPECT_FALSE(unseenNote({0.0, 0.0, 0.1, 0.025}, 0.2));
+}
+
+// The sensor, 80 mm above, sees from 25 mm above to 25 mm below: 50 mm of rows that run 5 mm over the 60 mm on both
+// sides. Where a row is cut is known to a cell of ten samples, 0.5 mm, on both sides.
+constexpr double slope_share = 10.0 / 70.0;
+constexpr double slope_tolerance = 2 * 0.5e-3 / 0.070;
+
+TEST(UnseenShare, ASlopeOutOfTheRangeAlongTheRowsIsToldByItsEnds) {
+  const UnseenShare share = shareOf(slope(0.0, M_PI / 4));
+  EXPECT_NEAR(share.too_near, slope_share, slope_tolerance);
+  EXPECT_NEAR(share.too_far, slope_share, slope_tolerance);
+  EXPECT_EQ(share.no_return, 0.0);
+  EXPECT_EQ(share.other, 0.0);
+}
+
+// The first and the last of 15 rows, 28 mm off the middle, are out of the range whole.
+TEST(UnseenShare, ASlopeOutOfTheRangeAcrossTheRowsIsToldByItsRows) {
+  const UnseenShare share = shareOf(slope(M_PI / 4, 0.0));
+  EXPECT_NEAR(share.too_near, 1.0 / 15.0, slope_tolerance);
+  EXPECT_NEAR(share.too_far, 1.0 / 15.0, slope_tolerance);
+}
+
+TEST(UnseenShare, ASensorThatDoesNotSayTooNearIsTold) {
+  scan::SampleLog log = slope(0.0, M_PI / 4);
+  for (double& voltage : log.voltage) voltage = voltage < -5.0 ? 9.0 : voltage;
+  const UnseenShare share = shareOf(log);
+  EXPECT_NEAR(share.too_near, slope_share, slope_tolerance);
+  EXPECT_NEAR(share.too_far, slope_share, slope_tolerance);
+}
+
+TEST(UnseenShare, MoreThanItsLimitIsNoSuccess) {
+  const FitStage fit = fitted(slope(0.0, M_PI / 4));
+  ASSERT_NE(figureOf(fit), nullptr);
+  EXPECT_FALSE(figureOf(fit)->pass());
+  ASSERT_EQ(fit.notes.size(), 1U);
+  EXPECT_THAT(fit.notes[0], HasSubstr("higher for what is too near, and lower for what is too far"));
+  ReportOptions holes;
+  holes.max_unseen_share = 0.5;
+  const FitStage allowed = fitted(slope(0.0, M_PI / 4), holes);
+  EXPECT_TRUE(figureOf(allowed)->pass());
 }
 
 TEST(UnseenShare, ATableSeenThroughThePartIsTold) {
@@ -110,10 +174,10 @@ TEST(UnseenShare, AlternatingPitchesAreNoGap) {
     rows.pieces.push_back(piece);
     y += row % 2 == 0 ? 0.001 : 0.004;
   }
-  EXPECT_EQ(unseenShare(rows, 0.002).sum(), 0.0);
+  EXPECT_EQ(unseenShare({}, rows, {}, 0.002).sum(), 0.0);
   rows.pieces.erase(rows.pieces.begin() + 5, rows.pieces.begin() + 11);
-  EXPECT_GT(unseenShare(rows, 0.002).sum(), 0.1);
-  EXPECT_EQ(unseenShare({}, 0.002).sum(), 0.0);
+  EXPECT_GT(unseenShare({}, rows, {}, 0.002).sum(), 0.1);
+  EXPECT_EQ(unseenShare({}, {}, {}, 0.002).sum(), 0.0);
 }
 
 }  // namespace

@@ -208,6 +208,7 @@ TEST(PlaceSamples, DroppedSamplesAreCountedByReason) {
   const PlacedScan scan = cell.place(log);
   EXPECT_EQ(scan.samples_in, log.voltage.size());
   EXPECT_EQ(droppedFor(scan, "no return"), 2U);
+  EXPECT_EQ(scan.no_returns.beams.size(), 2U);
   EXPECT_EQ(droppedFor(scan, "sensor fault"), 1U);
   EXPECT_EQ(droppedFor(scan, "no joint reading"), 13U);
   EXPECT_EQ(droppedFor(scan, "joint readings too far apart"), 100U);
@@ -255,6 +256,9 @@ TEST(PlaceSamples, BadInputIsNamed) {
   for (auto& voltage : log.voltage) voltage = 7.0;
   test::expectInputError([&] { cell.place(log); },
                          "none of " + std::to_string(log.voltage.size()) + " samples can be placed");
+  test::expectInputError([&] { cell.place(log); }, "sweep it a second time with the sensor lower");
+  for (auto& voltage : log.voltage) voltage = -7.0;
+  test::expectInputError([&] { cell.place(log); }, "sweep it a second time with the sensor higher");
   test::expectInputError([&] { cell.place(scan::SampleLog{}); }, "sample log: no column for joint joint_1");
   PlacementOptions options;
   options.clock_offset = 2.0;

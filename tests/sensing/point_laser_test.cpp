@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "scan_to_path/common/random.h"
 #include "support/expect_input_error.h"
@@ -29,6 +30,18 @@ TEST(PointLaser, VoltageAndBackIsTheSameDistance) {
     const double distance = random.uniform(laser.distance_min, laser.distance_max);
     EXPECT_NEAR(distanceFromVoltage(laser, voltageFromDistance(laser, distance)).value(), distance, 1e-15);
   }
+}
+
+// Whichever way the voltage runs.
+TEST(PointLaser, TooNearIsBeyondTheNearEnd) {
+  PointLaserOptions laser;
+  EXPECT_TRUE(isTooNear(laser, -5.1));
+  EXPECT_FALSE(isTooNear(laser, -5.0));
+  EXPECT_FALSE(isTooNear(laser, 5.1));
+  EXPECT_FALSE(isTooNear(laser, std::numeric_limits<double>::quiet_NaN()));
+  std::swap(laser.voltage_min, laser.voltage_max);
+  EXPECT_TRUE(isTooNear(laser, 5.1));
+  EXPECT_FALSE(isTooNear(laser, -5.1));
 }
 
 TEST(PointLaser, NothingOutsideTheRange) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 
 #include "scan_to_path/common/random.h"
 #include "scan_to_path/motion/trajectory.h"
@@ -14,22 +15,28 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A coupled wrist and axes that count backwards.
+/// With a parallelogram: the controller's third axis is the sum of joints 2 and 3.
 robot::Robot sixJoints() {
   robot::Robot robot;
   robot.joints.resize(6);
+  robot.coupled_axis = robot::CoupledAxis{2, {1, 2}, -1.0, 1.0};
   return robot;
 }
 
-robot::Encoders encoders() {
+/// A coupled wrist, axes that count backwards, and no two settings alike.
+robot::EncoderOptions settings() {
   robot::EncoderOptions options;
+  options.counts_per_turn = {131072, 65536, 131072, 8192, 4096, 131072};
+  options.gear_ratio = {100, 121, 90.5, 80, 70, 50};
   options.sign = {1, -1, 1, 1, -1, 1};
   options.offset = {0.1, -0.2, 0.0, 0.3, 0.0, 1.0};
   options.coupling.assign(36, 0.0);
   for (std::size_t i = 0; i < 6; ++i) options.coupling[7 * i] = 1.0;
   options.coupling[5 * 6 + 4] = 0.02;
-  return robot::Encoders(options, sixJoints());
+  return options;
 }
+
+robot::Encoders encoders() { return robot::Encoders(settings(), sixJoints()); }
 
 motion::Trajectory trajectory() {
   Random random(11);
@@ -43,7 +50,7 @@ motion::Trajectory trajectory() {
   return made;
 }
 
-PulseCheck check(const std::string& text) { return checkPulses(text, trajectory(), encoders()); }
+PulseCheck check(const std::string& text) { return checkPulses(text, trajectory(), settings(), sixJoints()); }
 
 std::string text() { return motion::formatPulses(trajectory(), encoders()); }
 
@@ -83,11 +90,27 @@ TEST(PulseCheck, MutationTwinsAreFound) {
   EXPECT_THAT(check(shorter).first_mismatch, HasSubstr("has 49 points, the trajectory 50"));
 }
 
-// A pulse file of another cell: what one encoder's settings wrote, another's read.
-TEST(PulseCheck, OtherEncodersAreFound) {
-  robot::EncoderOptions options;
-  const robot::Encoders plain(options, sixJoints());
-  EXPECT_GT(checkPulses(motion::formatPulses(trajectory(), plain), trajectory(), encoders()).largest_difference, 1e3);
+/// What the check finds in the file of a cell whose settings are not the check's.
+double differenceBy(const std::function<void(robot::EncoderOptions&, robot::Robot&)>& change) {
+  robot::EncoderOptions options = settings();
+  robot::Robot robot = sixJoints();
+  change(options, robot);
+  const std::string written = motion::formatPulses(trajectory(), robot::Encoders(options, robot));
+  return checkPulses(written, trajectory(), settings(), sixJoints()).largest_difference;
+}
+
+// Angles of up to 3 rad are some 1e6 counts: a thousandth of any setting is more than a hundred of them.
+TEST(PulseCheck, EverySettingMatters) {
+  using Options = robot::EncoderOptions;
+  EXPECT_LE(differenceBy([](Options&, robot::Robot&) {}), 0.5 + 1e-6);
+  EXPECT_GT(differenceBy([](Options& options, robot::Robot&) { options.sign[3] = -1.0; }), 100.0);
+  EXPECT_GT(differenceBy([](Options& options, robot::Robot&) { options.gear_ratio[0] *= 1.001; }), 100.0);
+  EXPECT_GT(differenceBy([](Options& options, robot::Robot&) { options.counts_per_turn[5] *= 1.001; }), 100.0);
+  EXPECT_GT(differenceBy([](Options& options, robot::Robot&) { options.offset[1] += 0.001; }), 100.0);
+  EXPECT_GT(differenceBy([](Options& options, robot::Robot&) { options.coupling[5 * 6 + 4] = 0.03; }), 100.0);
+  EXPECT_GT(differenceBy([](Options& options, robot::Robot&) { options.coupling.clear(); }), 100.0);
+  EXPECT_GT(differenceBy([](Options&, robot::Robot& robot) { robot.coupled_axis->joints = {0, 2}; }), 100.0);
+  EXPECT_GT(differenceBy([](Options&, robot::Robot& robot) { robot.coupled_axis.reset(); }), 100.0);
 }
 
 }  // namespace

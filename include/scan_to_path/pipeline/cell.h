@@ -65,6 +65,7 @@ struct Cell {
   Frame T_tip_sensor = Frame::Identity();
   Frame T_tip_tcp = Frame::Identity();
   Frame T_base_workpiece = Frame::Identity();
+  robot::EncoderOptions encoder_options;  ///< what `encoders` was made from, for checks that do not trust it
 };
 
 /// Reads the robot and checks that everything fits together. package:// is looked up in `package_path` (directories

@@ -39,6 +39,7 @@ struct ReportOptions {
   double max_line_residual = 1e-4;
   double max_surface_residual = 5e-5;
   double max_between_rows = 5e-5;
+  double max_unseen_share = 0.05;
   double note_unseen_share = 0.01;
 
   template <class Self, class Visitor>
@@ -53,8 +54,10 @@ struct ReportOptions {
           Field{"max_surface_residual", "m", "RMS of samples off the fitted surface, for rows on it; 0: no limit", 0.0, 1.0});
     visit(self.max_between_rows,
           Field{"max_between_rows", "m", "RMS of what may be off between scan rows, for rows on the surface; scan finer, or use path.row_source scan_lines; 0: no limit", 0.0, 1.0});
+    visit(self.max_unseen_share,
+          Field{"max_unseen_share", "", "share of the part's rows that may not be seen: see unseen_share; more where they are holes", 0.0, 1.0});
     visit(self.note_unseen_share,
-          Field{"note_unseen_share", "", "a larger share of rows that was not seen inside the part's outline is noted: see unseen_share", 0.0, 1.0});
+          Field{"note_unseen_share", "", "a larger share of rows that was not seen is noted: see unseen_share", 0.0, 1.0});
   }
 };
 

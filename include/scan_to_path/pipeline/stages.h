@@ -13,6 +13,7 @@
 #include "scan_to_path/pipeline/path_stage.h"
 #include "scan_to_path/pipeline/report.h"
 #include "scan_to_path/program/program.h"
+#include "scan_to_path/scan/no_returns.h"
 #include "scan_to_path/scan/scan_cloud.h"
 #include "scan_to_path/sensing/clock_offset.h"
 
@@ -23,6 +24,7 @@ namespace scan_to_path::pipeline {
 struct ScanStage {
   scan::ScanCloud cloud;
   Vector3 mean_beam = -Vector3::UnitZ();  ///< unit viewing direction in the cloud's frame
+  scan::NoReturns no_returns;             ///< of a sample log; a cloud does not tell
   StageReport report;
   std::vector<Accuracy> accuracy;
   std::vector<std::string> notes;
@@ -52,6 +54,7 @@ struct MotionStage {
   std::vector<toolpath::WaypointVerdict> verdicts;  ///< the path's findings and the motion's verdicts, one a waypoint
   StageReport report;
   std::vector<Accuracy> accuracy;
+  std::vector<std::string> notes;  ///< where a tolerance fails
 };
 
 /// Plans the motion along the path that is driven and plays it back through kinematics that share no code with the

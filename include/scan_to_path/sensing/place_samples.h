@@ -10,6 +10,7 @@
 #include "scan_to_path/robot/encoders.h"
 #include "scan_to_path/robot/robot.h"
 #include "scan_to_path/scan/fitted_scan.h"
+#include "scan_to_path/scan/no_returns.h"
 #include "scan_to_path/scan/sample_log.h"
 #include "scan_to_path/scan/scan_cloud.h"
 #include "scan_to_path/sensing/point_laser.h"
@@ -37,10 +38,12 @@ struct PlacedScan {
   Vector3 mean_beam = -Vector3::UnitZ();  ///< unit, the mean viewing direction in base_link
   std::size_t samples_in = 0;
   std::vector<scan::Dropped> dropped;   ///< "no return", "sensor fault", "no joint reading", …
+  scan::NoReturns no_returns;           ///< of the samples without a return those whose joints are known
 };
 
 /// Pulses to joint angles (interpolated to the sensor's time), forward kinematics, p_B = T_BE T_EM (0, 0, d, 1)^T
-/// (seed 000 eqs. 1 and 2). Throws InputError when no sample at all can be placed, or a joint is outside its limits
+/// (seed 000 eqs. 1 and 2). Throws InputError when no sample at all can be placed (asking for another sweep where all
+/// are out of the sensor's range), or a joint is outside its limits
 /// by more than a count, naming joint, value, sample and limit.
 PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
                         const PointLaserOptions& laser, const Frame& T_tip_sensor, const PlacementOptions& options,

@@ -28,6 +28,10 @@ struct PointLaserOptions {
 /// Distance [m] for a voltage; nothing outside the range (no return) and for NaN (fault). Spec cutting, step 1.
 std::optional<double> distanceFromVoltage(const PointLaserOptions& laser, double voltage);
 
+/// True for a voltage beyond the range's near end: something is there, nearer than distance_min. Beyond the other end
+/// it may be too far or nothing at all.
+bool isTooNear(const PointLaserOptions& laser, double voltage);
+
 /// Voltage for a distance, not limited to the range.
 double voltageFromDistance(const PointLaserOptions& laser, double distance);
 

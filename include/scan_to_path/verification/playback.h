@@ -22,6 +22,7 @@ struct PlaybackReport {
   double chord_largest = 0.0;       ///< of the tool centre point off the straight worked moves [m]
   WaypointIndex chord_largest_at;   ///< the waypoint that the move leads to
   double air_chord_largest = 0.0;   ///< off the straight moves in the air [m]
+  WaypointIndex air_chord_largest_at;
 };
 
 /// Plays the trajectory back with joint-linear moves between its points, `between` places looked at on each, through

@@ -17,9 +17,13 @@ struct PulseCheck {
   double largest_difference = 0.0;  ///< of any joint [counts]
 };
 
-/// Reads the text of a pulse file and compares it with the trajectory it was made from, point by point. Angles are
-/// compared through Encoders::angles, which is not what the writer counts with; their difference is given in counts.
-/// A text that is no pulse file counts as one mismatch.
-PulseCheck checkPulses(const std::string& text, const motion::Trajectory& trajectory, const robot::Encoders& encoders);
+/// Reads the text of a pulse file and compares it with the trajectory it was made from, point by point. The pulses are
+/// read and turned into joint angles by the settings themselves, sharing no code with robot::Encoders and the writer:
+/// each motor's angle is sign 2 pi pulses / (counts_per_turn gear_ratio), the controller's axes are the coupling times
+/// these, a joint is its axis (the coupled one: less the other joints of its sum) plus its offset. Differences of
+/// angles are given in counts. A text that is no pulse file counts as one mismatch. The settings are those of a valid
+/// robot::Encoders of this robot.
+PulseCheck checkPulses(const std::string& text, const motion::Trajectory& trajectory,
+                       const robot::EncoderOptions& options, const robot::Robot& robot);
 
 }  // namespace scan_to_path::verification
