@@ -33,6 +33,9 @@ public:
     return centres_[at_] + share * (centres_[at_ + 1] - centres_[at_]);
   }
 
+  /// Unit direction of the centres where the last atRising() was.
+  Vector3 directionHere() const { return (centres_[at_ + 1] - centres_[at_]).normalized(); }
+
   const RowPoint& pointHere() const { return row_.points[at_]; }
 
   /// The nearest centre to p, searched from the place of the last atRising() as long as it gets nearer.
@@ -61,13 +64,33 @@ private:
   std::size_t at_ = 0;
 };
 
-/// The point below a and b that is `radius` from both, in the plane of their connection and `normal`.
-std::optional<Vector3> cuspBelow(const Vector3& a, const Vector3& b, const Vector3& normal, double radius) {
-  const Vector3 half = 0.5 * (b - a);
-  const double depth2 = radius * radius - half.squaredNorm();
-  if (!(depth2 > 0.0)) return std::nullopt;
-  const Vector3 down = normal - half * (half.dot(normal) / half.squaredNorm());
-  return a + half - std::sqrt(depth2) * down.normalized();
+/// Where the envelope of the balls along a, a circle in the plane across it at `centre`, meets that of b below them.
+/// Nothing where they do not meet: the rows are too far apart.
+std::optional<Vector3> cuspBelow(const CentreLine& a, const CentreLine& b, const Vector3& centre, double radius) {
+  const Vector3 along = a.directionHere();
+  const auto across = [&along](const Vector3& v) -> Vector3 { return v - along * along.dot(v); };
+  const Vector3 way = across(b.nearest(centre) - centre);
+  const double half = 0.5 * way.norm();
+  if (!(half < radius)) return std::nullopt;
+  if (half == 0.0) return centre - radius * a.pointHere().normal;  // the same row
+  const Vector3 aside = way / (2.0 * half);
+  const Vector3 up = across(a.pointHere().normal);
+  const Vector3 down = -(up - aside * aside.dot(up)).normalized();
+  const auto onCircle = [&](double w) -> Vector3 {
+    return centre + w * aside + std::sqrt(std::max(0.0, radius * radius - w * w)) * down;
+  };
+  // Between the two contacts: rows that nearly coincide run through each other anywhere.
+  const double contact_a = -radius * a.pointHere().normal.dot(aside);
+  const double contact_b = 2.0 * half - radius * b.pointHere().normal.dot(aside);
+  const auto [first, last] = std::minmax(contact_a, contact_b);
+  // Half way between parallel rows; Newton's method with their slope brings it to where the others meet.
+  double w = std::clamp(half, first, last);
+  for (int i = 0; i < 4; ++i) {
+    const Vector3 cusp = onCircle(w);
+    const double outside = (cusp - b.nearest(cusp)).norm() - radius;
+    w = std::clamp(w + outside * radius / (2.0 * half), first, last);
+  }
+  return onCircle(w);
 }
 
 double heightOver(const ScanSurface& surface, const Vector3& p) {
@@ -82,18 +105,11 @@ bool gouges(const RowPoint& p, const ScanSurface& surface, double radius) {
 
 /// Nothing where the ball does not fit into the surface: its centres run through each other there.
 std::optional<double> cuspHeight(CentreLine& a, CentreLine& b, double t, const ScanSurface& surface, double radius) {
-  Vector3 centre_a = a.atRising(t);
-  Vector3 centre_b = b.atRising(t);
+  const Vector3 centre = a.atRising(t);
+  b.atRising(t);
   if (gouges(a.pointHere(), surface, radius) || gouges(b.pointHere(), surface, radius)) return std::nullopt;
-  const Vector3 normal = a.pointHere().normal + b.pointHere().normal;
-  std::optional<Vector3> cusp;
-  // The rows' cross-section at the cusp is not known before the cusp is: two corrections leave less than a nanometre.
-  for (int i = 0; i < 3; ++i) {
-    cusp = cuspBelow(centre_a, centre_b, normal, radius);
-    if (!cusp) return std::numeric_limits<double>::infinity();
-    centre_a = a.nearest(*cusp);
-    centre_b = b.nearest(*cusp);
-  }
+  const auto cusp = cuspBelow(a, b, centre, radius);
+  if (!cusp) return std::numeric_limits<double>::infinity();
   return heightOver(surface, *cusp);
 }
 
