@@ -61,18 +61,6 @@ const Cause& nearestCause(const Causes& causes, const std::map<int, int>& pass_b
   return causes.begin()->second;
 }
 
-/// Length of the moves on which the process works [m].
-double workedLength(const toolpath::ToolPath& path) {
-  double length = 0.0;
-  for (const auto& segment : path.segments) {
-    for (std::size_t i = 1; i < segment.waypoints.size(); ++i) {
-      if (!segment.waypoints[i].process_on) continue;
-      length += (segment.waypoints[i].pose.translation() - segment.waypoints[i - 1].pose.translation()).norm();
-    }
-  }
-  return length;
-}
-
 std::string noticeText(const LeftOut& left_out) {
   if (left_out.kind == LeftOutKind::with_others) return "with others";
   const std::string verdict = enumName(left_out.verdict.verdict);
@@ -109,8 +97,8 @@ std::vector<LeftOut> leftOut(const PlannedPath& whole, const PlannedPath& partia
 }
 
 double leftOutShare(const toolpath::ToolPath& whole, const toolpath::ToolPath& partial) {
-  const double planned = workedLength(whole);
-  return planned > 0.0 ? 1.0 - workedLength(partial) / planned : 0.0;
+  const double planned = toolpath::travelOf(whole).worked;
+  return planned > 0.0 ? 1.0 - toolpath::travelOf(partial).worked / planned : 0.0;
 }
 
 std::vector<std::string> partialNotices(const std::vector<LeftOut>& left_out, double share, std::size_t most) {

@@ -97,29 +97,6 @@ std::vector<Segment> rowsOf(const ToolPath& path) {
   return rows;
 }
 
-struct Travel {
-  double cutting = 0.0;  ///< [m]
-  double length = 0.0;   ///< [m]
-  double time = 0.0;     ///< at the feeds, without ramps [s]
-};
-
-Travel travelOf(const ToolPath& path) {
-  Travel travel;
-  const Waypoint* before = nullptr;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints) {
-      if (before != nullptr) {
-        const double length = (waypoint.pose.translation() - before->pose.translation()).norm();
-        travel.length += length;
-        travel.time += length / waypoint.feed;
-        if (waypoint.process_on) travel.cutting += length;
-      }
-      before = &waypoint;
-    }
-  }
-  return travel;
-}
-
 void addDistances(std::vector<Figure>& figures, std::vector<double> distances) {
   if (distances.empty()) return;
   std::sort(distances.begin(), distances.end());
@@ -145,9 +122,9 @@ void setFigure(std::vector<Figure>& figures, const Figure& figure) {
 }
 
 void setTravelFigures(PlannedPath& planned) {
-  const Travel travel = travelOf(planned.path);
+  const toolpath::Travel travel = toolpath::travelOf(planned.path);
   for (const Figure& figure : {Figure{"waypoints", static_cast<double>(toolpath::waypointCount(planned.path)), ""},
-                               Figure{"cutting_length", travel.cutting, "m"},
+                               Figure{"cutting_length", travel.worked, "m"},
                                Figure{"path_length", travel.length, "m"},
                                Figure{"time", travel.time, "s"},
                                Figure{"gouges", static_cast<double>(planned.findings.size()), ""}}) {
@@ -223,7 +200,9 @@ private:
     planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, linksOverStock(), also_below);
     planned.path = toolpath::snapped(std::move(planned.path));
     planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
-    const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance);
+    const auto target = options_.row_source == RowSource::scan_lines ? toolpath::GougeTarget::surface_and_lines
+                                                                     : toolpath::GougeTarget::surface;
+    const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance, target);
     planned.findings = gouges.check(planned.path, planned.allowances);
     setTravelFigures(planned);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "line_points.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/toolpath/ball_tool.h"
@@ -19,6 +20,7 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double cells_per_radius = 16.0;
 constexpr std::size_t block_side = 4;        // nodes
 constexpr double most_nodes = 5e7;           // 400 MB
+constexpr double line_spacing = 0.25;        // cells: half of it beside the deepest point is 1 um of a ball of 20 mm
 constexpr double own_surroundings = 2.0;     // cells around the contact, where the ball rests on the surface
 
 std::string millimetres(double metres) { return fixed(1e3 * metres, 3) + " mm"; }
@@ -30,7 +32,7 @@ double outside(double x, double low, double high) { return std::max({low - x, x 
 
 }  // namespace
 
-GougeCheck::GougeCheck(const scan::FittedScan& scan, double ball_radius, double tolerance)
+GougeCheck::GougeCheck(const scan::FittedScan& scan, double ball_radius, double tolerance, GougeTarget target)
     : scan_(scan), surface_(scan.surface), radius_(ball_radius), tolerance_(tolerance) {
   if (!(radius_ > 0.0) || !std::isfinite(radius_)) {
     throw InputError("gouge check", "ball radius", fixed(radius_, 6) + " m", "positive");
@@ -39,7 +41,10 @@ GougeCheck::GougeCheck(const scan::FittedScan& scan, double ball_radius, double 
   spacing_ = radius_ / cells_per_radius;
   sampleHeights();
   findTops();
+  if (target == GougeTarget::surface_and_lines) lines_ = std::make_unique<const LinePoints>(scan, line_spacing * spacing_);
 }
+
+GougeCheck::~GougeCheck() = default;
 
 void GougeCheck::sampleHeights() {
   const OutlineClip clip(scan_.outline, 0.0, 0.0);
@@ -145,6 +150,46 @@ GougeCheck::Nearest GougeCheck::refined(const Vector3& centre, const Nearest& st
   return nearest;
 }
 
+Vector3 GougeCheck::centreAt(const Waypoint& waypoint) const {
+  return ballCentre(scan_.T_cloud_scan.inverse() * waypoint.pose, radius_);
+}
+
+/// The point of the part that is deepest in a ball; nothing when none is in it.
+std::optional<Vector3> GougeCheck::deepest(const Vector3& centre, double radius, const Vector3* contact) const {
+  std::optional<Vector3> found;
+  const double slack = spacing_ * spacing_ / radius_;
+  if (const auto node = nearestNode(centre, radius + slack, contact)) found = refined(centre, *node).point;
+  if (lines_ == nullptr) return found;
+  const double least = found ? (*found - centre).norm() : radius;
+  const auto on_line = lines_->nearest(centre, least);
+  return on_line ? on_line : found;
+}
+
+bool GougeCheck::entersAt(const Vector3& centre, double radius, const Vector3* contact,
+                          WaypointVerdict& verdict) const {
+  const auto point = deepest(centre, radius, contact);
+  if (!point || (*point - centre).norm() >= radius - tolerance_) return false;
+  const Vector3 place = scan_.T_cloud_scan * *point;
+  verdict.margin = (*point - centre).norm() - radius;
+  verdict.reason = "the ball goes " + millimetres(-verdict.margin) + " into the surface at (" + fixed(place.x(), 4) +
+                   ", " + fixed(place.y(), 4) + ", " + fixed(place.z(), 4) + ")";
+  verdict.remedy = "use a smaller ball, or keep the rows off this place";
+  return true;
+}
+
+bool GougeCheck::judgeMove(const Waypoint& from, const Waypoint& to, double allowance, WaypointVerdict& verdict) const {
+  const Vector3 begin = centreAt(from);
+  const Vector3 end = centreAt(to);
+  const int steps = static_cast<int>(std::ceil((end - begin).norm() / spacing_));
+  for (int i = 1; i < steps; ++i) {
+    const Vector3 centre = begin + (end - begin) * i / steps;
+    if (!entersAt(centre, radius_ + allowance, nullptr, verdict)) continue;
+    verdict.reason = "on the move to it " + verdict.reason;
+    return true;
+  }
+  return false;
+}
+
 bool GougeCheck::judgeWaypoint(const Segment& segment, std::size_t index, double allowance,
                                WaypointVerdict& verdict) const {
   const Frame T_scan_contact = scan_.T_cloud_scan.inverse() * segment.waypoints[index].pose;
@@ -162,17 +207,7 @@ bool GougeCheck::judgeWaypoint(const Segment& segment, std::size_t index, double
       return true;
     }
   }
-  const double slack = spacing_ * spacing_ / radius_;
-  const auto node = nearestNode(centre, radius + slack, touches ? &contact : nullptr);
-  if (!node) return false;
-  const Nearest nearest = refined(centre, *node);
-  if (nearest.distance >= radius - tolerance_) return false;
-  const Vector3 place = scan_.T_cloud_scan * nearest.point;
-  verdict.margin = nearest.distance - radius;
-  verdict.reason = "the ball goes " + millimetres(-verdict.margin) + " into the surface at (" + fixed(place.x(), 4) +
-                   ", " + fixed(place.y(), 4) + ", " + fixed(place.z(), 4) + ")";
-  verdict.remedy = "use a smaller ball, or keep the rows off this place";
-  return true;
+  return entersAt(centre, radius, touches ? &contact : nullptr, verdict);
 }
 
 std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::vector<double>& allowance) const {
@@ -181,6 +216,8 @@ std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::
                      "one for each of the " + std::to_string(path.segments.size()) + " segments");
   }
   std::vector<WaypointVerdict> gouges;
+  const Waypoint* before = nullptr;
+  bool touched = false;
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
     for (std::size_t i = 0; i < path.segments[s].waypoints.size(); ++i) {
       WaypointVerdict verdict;
@@ -188,9 +225,16 @@ std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::
       verdict.index = static_cast<int>(i);
       verdict.verdict = Verdict::gouge;
       verdict.unit = "m";
-      if (judgeWaypoint(path.segments[s], i, allowance.empty() ? 0.0 : allowance[s], verdict)) {
+      const double left = allowance.empty() ? 0.0 : allowance[s];
+      const Waypoint& waypoint = path.segments[s].waypoints[i];
+      const bool touches = isContact(path.segments[s], i);
+      const bool is_swept = before != nullptr && !(touched && touches);
+      if (judgeWaypoint(path.segments[s], i, left, verdict) ||
+          (is_swept && judgeMove(*before, waypoint, left, verdict))) {
         gouges.push_back(std::move(verdict));
       }
+      before = &waypoint;
+      touched = touches;
     }
   }
   return gouges;

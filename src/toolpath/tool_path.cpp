@@ -179,6 +179,23 @@ std::size_t waypointCount(const ToolPath& path) {
   return count;
 }
 
+Travel travelOf(const ToolPath& path) {
+  Travel travel;
+  const Waypoint* before = nullptr;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      if (before != nullptr) {
+        const double length = (waypoint.pose.translation() - before->pose.translation()).norm();
+        travel.length += length;
+        travel.time += length / waypoint.feed;
+        if (waypoint.process_on) travel.worked += length;
+      }
+      before = &waypoint;
+    }
+  }
+  return travel;
+}
+
 ToolPath withArcLength(ToolPath path) {
   for (auto& segment : path.segments) {
     double length = 0.0;

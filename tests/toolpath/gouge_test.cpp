@@ -158,6 +158,48 @@ TEST(Gouge, LinksAreCheckedToo) {
   EXPECT_EQ(gouges[0].segment, 1);
 }
 
+TEST(Gouge, MovesInTheAirAreSwept) {
+  const auto ridge = [](double x, double) { return 0.02 * std::exp(-x * x / (0.006 * 0.006)); };
+  const auto scan = test::fittedScan(ridge, area, 0.004, 200, 12);
+  const auto crossing = [&](double height) {
+    ToolPath path = rowOn(scan, -0.05, -0.045, 1);
+    Segment link = {"link_0_1", std::vector<Waypoint>(2, path.segments[0].waypoints[0])};
+    link.waypoints[0].pose.translation() = Vector3(-0.045, 0.0, height);
+    link.waypoints[1].pose.translation() = Vector3(0.045, 0.0, height);
+    for (auto& waypoint : link.waypoints) waypoint.process_on = false;
+    path.segments.push_back(link);
+    return path;
+  };
+  const auto gouges = GougeCheck(scan, radius, tolerance).check(crossing(0.018));
+  ASSERT_EQ(gouges.size(), 1U);
+  EXPECT_EQ(gouges[0].segment, 1);
+  EXPECT_EQ(gouges[0].index, 1);  // where the move leads to
+  EXPECT_NE(gouges[0].reason.find("on the move to it the ball goes"), std::string::npos) << gouges[0].reason;
+  EXPECT_TRUE(GougeCheck(scan, radius, tolerance).check(crossing(0.0205)).empty());
+}
+
+// A smooth surface cuts a fold's corner; the lines show the wall behind it.
+TEST(Gouge, LinesThatLeaveTheSurfaceCount) {
+  const auto f = wall(0.015);
+  auto scan = test::fittedScan([](double, double) { return 0.0; }, area, 0.004, 200, 12);
+  const ToolPath path = rowOn(scan, -0.03, 0.025, 110);
+  EXPECT_TRUE(GougeCheck(scan, radius, tolerance, GougeTarget::surface_and_lines).check(path).empty());
+  scan.lines = test::fittedScan(f, area, 0.004, 200, 12).lines;
+  EXPECT_TRUE(GougeCheck(scan, radius, tolerance).check(path).empty());
+  std::vector<bool> is_found(111, false);
+  for (const auto& gouge : GougeCheck(scan, radius, tolerance, GougeTarget::surface_and_lines).check(path)) {
+    is_found[static_cast<std::size_t>(gouge.index)] = true;
+    const auto& waypoint = path.segments[0].waypoints[static_cast<std::size_t>(gouge.index)];
+    // Points on the lines are 0.3 mm apart, which leaves 1 um, and the lines are good to 10 um here.
+    EXPECT_NEAR(gouge.margin, clearanceByBruteForce(f, ballCentre(waypoint.pose, radius)), 2e-5);
+  }
+  for (std::size_t i = 0; i < 111; ++i) {
+    const double clearance = clearanceByBruteForce(f, ballCentre(path.segments[0].waypoints[i].pose, radius));
+    EXPECT_TRUE(is_found[i] || clearance > -2.0 * tolerance) << i << " " << clearance;
+    EXPECT_TRUE(!is_found[i] || clearance < -0.5 * tolerance) << i << " " << clearance;
+  }
+}
+
 TEST(Gouge, RejectsBadArguments) {
   const auto scan = test::fittedSPart();
   test::expectInputError([&] { GougeCheck(scan, 0.0, tolerance); }, "ball radius");

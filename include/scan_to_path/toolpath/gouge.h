@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,14 @@
 
 namespace scan_to_path::toolpath {
 
+class LinePoints;
+
+/// What a ball must not enter.
+enum class GougeTarget {
+  surface,            ///< the surface fitted across the scan's lines: all there is between them
+  surface_and_lines,  ///< the lines too, where they leave the surface, as at folds
+};
+
 /// Finds where a ball would cut into a scanned part. Spec cutting, step 11: a gouge is where the smallest signed
 /// principal curvature at the contact is at most -1/r, or where a distant piece of surface enters the ball.
 /// Keeps a reference: the scan must outlive it.
@@ -20,10 +29,13 @@ class GougeCheck {
 public:
   /// Samples the surface inside the outline on a square grid of a sixteenth of the radius.
   /// Throws InputError for a radius that is not positive, a negative tolerance, or a scan without surface or outline.
-  GougeCheck(const scan::FittedScan& scan, double ball_radius, double tolerance);
+  GougeCheck(const scan::FittedScan& scan, double ball_radius, double tolerance,
+             GougeTarget target = GougeTarget::surface);
+  ~GougeCheck();
 
-  /// The waypoints of a path (in the scan's cloud frame) that gouge, in path order. `allowance` is the stock that each
-  /// segment leaves on the surface [m]; empty means none. The margin is the hollow's radius less the ball's, or the
+  /// The waypoints of a path (in the scan's cloud frame) that gouge, themselves or on the move that leads to them, in
+  /// path order. Moves from contact to contact are followed by their chord tolerance, all others are swept. `allowance`
+  /// is the stock that each segment leaves on the surface [m]; empty means none. The margin is the hollow's radius less the ball's, or the
   /// ball's depth in the surface as a negative number [m].
   std::vector<WaypointVerdict> check(const ToolPath& path, const std::vector<double>& allowance = {}) const;
 
@@ -39,9 +51,14 @@ private:
   void searchBlock(std::size_t block_x, std::size_t block_y, const Vector3& centre, double reach,
                    const Vector3* contact, std::optional<Nearest>& nearest) const;
   Nearest refined(const Vector3& centre, const Nearest& start) const;
+  Vector3 centreAt(const Waypoint& waypoint) const;
+  std::optional<Vector3> deepest(const Vector3& centre, double radius, const Vector3* contact) const;
+  bool entersAt(const Vector3& centre, double radius, const Vector3* contact, WaypointVerdict& verdict) const;
   bool judgeWaypoint(const Segment& segment, std::size_t index, double allowance, WaypointVerdict& verdict) const;
+  bool judgeMove(const Waypoint& from, const Waypoint& to, double allowance, WaypointVerdict& verdict) const;
 
   const scan::FittedScan& scan_;
+  std::unique_ptr<const LinePoints> lines_;  ///< null when the lines do not count
   ScanSurface surface_;
   double radius_;
   double tolerance_;

@@ -45,6 +45,15 @@ struct ToolPath {
 
 std::size_t waypointCount(const ToolPath& path);
 
+/// How far the contact travels, over all moves of a path.
+struct Travel {
+  double worked = 0.0;  ///< with the process on [m]
+  double length = 0.0;  ///< [m]
+  double time = 0.0;    ///< at the feeds, without ramps [s]
+};
+
+Travel travelOf(const ToolPath& path);
+
 /// Fills every segment's arc_length from its poses.
 ToolPath withArcLength(ToolPath path);
 
