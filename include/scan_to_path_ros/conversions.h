@@ -54,7 +54,8 @@ core::toolpath::ToolPath fromMsg(const core::ToolPath& msg);
 
 /// What a scan says beside its cloud; and the two together as the fit takes them.
 core::ScanInfo toInfo(const core::pipeline::ScanStage& stage, const std_msgs::Header& header);
-core::pipeline::ScanStage scanStage(const core::scan::ScanCloud& cloud, const core::ScanInfo& info);
+core::pipeline::ScanStage scanStage(const boost::shared_ptr<const core::scan::ScanCloud>& cloud,
+                                    const core::ScanInfo& info);
 
 core::FittedScan toMsg(const core::pipeline::FitStage& stage, const std_msgs::Header& header);
 core::pipeline::FitStage fromMsg(const core::FittedScan& msg);

@@ -22,7 +22,7 @@ public:
 
   void read(const scan_to_path::Progress& progress) override;
   scan_to_path::pipeline::ScanStage scan(const scan_to_path::Progress& progress) override;
-  scan_to_path::pipeline::JobInput input() const override { return input_; }
+  scan_to_path::pipeline::JobInput input(const scan_to_path::pipeline::ScanStage& scanned) override;
   std::optional<scan_to_path::program::ProgramFile> record() const override { return record_; }
   scan_to_path::pipeline::FitStage fit(const scan_to_path::pipeline::ScanStage& scanned,
                                        const scan_to_path::Progress& progress) override;
@@ -43,7 +43,6 @@ private:
   ros::NodeHandle nodes_;
   StageResults& results_;
   ScanWaiting waiting_;
-  scan_to_path::pipeline::JobInput input_;
   std::optional<scan_to_path::program::ProgramFile> record_;
   ros::WallTime scanned_;
   std::optional<double> path_delay_;

@@ -18,7 +18,7 @@ struct Recording {
   std::vector<std::int64_t> joint_time;                  ///< [ns], rising
   std::vector<scan_to_path::robot::JointVector> angles;  ///< [rad]
   std::vector<std::int64_t> sensor_time;                 ///< [ns], rising
-  std::vector<double> range;                             ///< [m]; +Inf no return, NaN fault (REP 117)
+  std::vector<double> range;                             ///< [m]; +Inf no return, -Inf too near, NaN fault (REP 117)
 };
 
 /// A sample log's counts and voltages as the cell's encoders and laser mean them.

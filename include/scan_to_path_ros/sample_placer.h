@@ -20,6 +20,8 @@ namespace core = scan_to_path;
 struct SamplePlacerOptions : TransformHistoryOptions {
   double max_wait = 1.0;      ///< a sample this much older than the newest one waits no longer for its transform [s]
   double clock_offset = 0.0;  ///< added to the sensor's stamps to get tf's [s]
+  double range_min = 0.0;     ///< the sensor's nearest and farthest distance [m]
+  double range_max = 0.0;
 };
 
 /// Places range samples in the base frame by tf2 at each sample's own stamp: it waits for transforms that are late or
@@ -64,9 +66,10 @@ private:
   enum class Outcome { done, later };
 
   Outcome place(const Sample& sample);
-  void addPoint(const Sample& sample, const ros::Time& stamp);
+  void addSample(const Sample& sample, const ros::Time& stamp);
+  void addPoint(const Sample& sample, const core::geometry::Frame& T_base_sensor);
   void placeWaiting();
-  void drop(const char* reason);
+  void leaveOut(const Sample& sample, const char* reason);
   void giveUp(const char* reason);
   void check(const core::ScanSamples& samples) const;
 
@@ -75,6 +78,7 @@ private:
   ros::Duration went_back_;  ///< how far the transforms' clock went back
   std::deque<Sample> waiting_;
   core::scan::ScanCloud cloud_;
+  std::vector<core::scan::NoReturn> no_returns_;
   core::geometry::Vector3 beam_sum_ = core::geometry::Vector3::Zero();
   std::vector<core::scan::Dropped> dropped_;
   std::size_t samples_in_ = 0;

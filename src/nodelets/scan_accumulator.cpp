@@ -69,9 +69,9 @@ class ScanAccumulator : public nodelet::Nodelet {
       auto scanned = placer_.take();
       if (!refused_.empty()) scanned.notes.push_back("samples refused: " + refused_);
       // PCL's stamps count microseconds: both messages carry the same one.
-      header.stamp = pcl_conversions::fromPCL(scanned.cloud.header.stamp);
+      header.stamp = pcl_conversions::fromPCL(scanned.cloud->header.stamp);
       info_.publish(boost::make_shared<scan_to_path::ScanInfo>(scan_to_path_ros::toInfo(scanned, header)));
-      scan_.publish(boost::make_shared<Cloud>(std::move(scanned.cloud)));
+      scan_.publish(boost::shared_ptr<const Cloud>(scanned.cloud.get(), [kept = scanned.cloud](const Cloud*) {}));
     }));
     response.message = response.success != 0 ? std::to_string(samples) + " samples" : stage_->error();
     return true;
@@ -83,6 +83,8 @@ class ScanAccumulator : public nodelet::Nodelet {
     placing.base_frame = options.cell.base_link;
     placing.max_joint_gap = options.scan.placement.max_joint_gap;
     placing.clock_offset = options.scan.placement.clock_offset;
+    placing.range_min = options.cell.laser.distance_min;
+    placing.range_max = options.cell.laser.distance_max;
     placing.max_wait = getPrivateNodeHandle().param("max_wait", placing.max_wait);
     return placing;
   }

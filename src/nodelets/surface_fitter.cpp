@@ -33,7 +33,7 @@ class SurfaceFitter : public nodelet::Nodelet {
   void fit(const boost::shared_ptr<const Cloud>& cloud, const boost::shared_ptr<const Info>& info) {
     stage_->run(info->header, [&](const scan_to_path::Progress& progress) {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
-      const auto scanned = scan_to_path_ros::scanStage(*cloud, *info);
+      const auto scanned = scan_to_path_ros::scanStage(cloud, *info);
       const auto fitted = scan_to_path::pipeline::fitStage(scanned, options.scan, options.fit, options.report,
                                                            getPrivateNodeHandle().param("threads", 0), progress);
       fitted_.publish(boost::make_shared<scan_to_path::FittedScan>(scan_to_path_ros::toMsg(fitted, info->header)));

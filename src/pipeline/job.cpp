@@ -34,6 +34,7 @@ public:
     if (reaches(Stage::path)) path();
     if (reaches(Stage::motion)) motion();
     if (request_.reference && reaches(Stage::path)) reference();
+    input();
     if (reaches(Stage::program)) program();
     return output_.write(request_, options_, timing_, progress_);
   }
@@ -54,10 +55,13 @@ private:
 
   void scan() {
     scan_ = stages_.scan(progress_);
-    input_ = stages_.input();
+    take(scan_.report, scan_.accuracy, scan_.notes);
+  }
+
+  void input() {
+    input_ = stages_.input(scan_);
     output_.setInput(request_, options_, input_);
     if (auto record = stages_.record()) output_.addFile(record->name, std::move(record->content));
-    take(scan_.report, scan_.accuracy, scan_.notes);
   }
 
   void fit() {
@@ -68,33 +72,8 @@ private:
   void path() {
     path_ = stages_.path(*planner_, fit_, progress_);
     driven_ = airRun(path_, cell_, options_.program);
-    take(path_.report, path_.accuracy);
+    take(path_.report, path_.accuracy, path_.notes);
     output_.setPath(driven_.planned.path, driven_.planned.findings);
-    if (output_.hasFailedTolerance("path_surface_residual_rms")) {
-      output_.addNote(
-          "the fitted surface is smooth and leaves the samples, as at folds: machine the scanned rows with "
-          "--set path.row_source=scan_lines, or scan fine relief at a smaller pitch");
-    }
-    if (output_.hasFailedTolerance("path_between_rows_rms")) {
-      output_.addNote(
-          "the part is finer than the scan's rows: scan at a smaller pitch, or machine the scanned rows "
-          "alone with --set path.row_source=scan_lines");
-    }
-    noteScallop();
-  }
-
-  /// Rows whose distance was given, by the scan or by the user, may leave more than path.scallop_height.
-  void noteScallop() {
-    const auto& figures = path_.accuracy;
-    const auto scallop =
-        std::find_if(figures.begin(), figures.end(), [](const auto& f) { return f.name == "path_scallop"; });
-    if (scallop == figures.end() || scallop->value <= options_.path.scallop_height) return;
-    output_.addNote(
-        "the rows leave a scallop of " + fixed(1e6 * scallop->value, 1) + " um, more than path.scallop_height, " +
-        fixed(1e6 * options_.path.scallop_height, 1) + " um: " +
-        (options_.path.row_source == process::RowSource::surface
-             ? "lower path.pitch, or set it to 0"
-             : "scan at a smaller pitch, or plan rows over the surface with --set path.row_source=surface"));
   }
 
   void motion() {
@@ -104,7 +83,6 @@ private:
     take(motion_.report, motion_.accuracy, motion_.notes);
     if (output_.isBlocked()) {
       output_.addNote("no trajectory and no program written: see what failed");
-      noteRowOrder();
       return;
     }
     output_.addFile("trajectory.csv", motion::formatTrajectory(motion_.plan.trajectory));
@@ -112,14 +90,6 @@ private:
       output_.addNote("air run: path, trajectory, pulses and program are lifted by " +
                       fixed(1e3 * options_.program.dry_offset, 1) + " mm, the process stays off");
     }
-  }
-
-  /// Rows to and fro turn a leaning tool by half a turn, which an arm's wrist often cannot do.
-  void noteRowOrder() {
-    const auto& path = options_.path;
-    const bool leans = path.lead != 0.0 || path.tilt != 0.0;
-    if (!leans || path.row_order != process::RowOrder::zig_zag || !output_.hasFailedWaypoint()) return;
-    output_.addNote("a leaning tool turns by 180 degrees from row to row to and fro: try --set path.row_order=one_way");
   }
 
   /// Goes on with what is left of the path when the waypoints that fail on the part are left out.

@@ -86,11 +86,6 @@ bool JobOutput::hasFailedTolerance() const {
                      [](const auto& figure) { return !figure.pass(); });
 }
 
-bool JobOutput::hasFailedTolerance(const std::string& name) const {
-  return std::any_of(report_.accuracy.begin(), report_.accuracy.end(),
-                     [&](const auto& figure) { return figure.name == name && !figure.pass(); });
-}
-
 JobResult JobOutput::write(const JobRequest& request, const JobOptions& options, const Timing& timing,
                            const Progress& progress) {
   report_.exit = isBlocked() || !report_.left_out.empty() ? 1 : 0;

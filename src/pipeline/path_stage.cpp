@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path/pipeline/path_stage.h"
 
+#include <algorithm>
+
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
 #include "scan_to_path/process/cutting.h"
 #include "scan_to_path/toolpath/air_run.h"
 
@@ -21,6 +24,33 @@ bool pitchFollowsScallop(const process::CuttingOptions& options) {
   return options.row_source == process::RowSource::surface && options.pitch == 0.0;
 }
 
+void noteSurface(PathStage& stage) {
+  if (fails(stage.accuracy, "path_surface_residual_rms")) {
+    stage.notes.push_back(
+        "the fitted surface is smooth and leaves the samples, as at folds: machine the scanned rows with "
+        "--set path.row_source=scan_lines, or scan fine relief at a smaller pitch");
+  }
+  if (fails(stage.accuracy, "path_between_rows_rms")) {
+    stage.notes.push_back(
+        "the part is finer than the scan's rows: scan at a smaller pitch, or machine the scanned rows "
+        "alone with --set path.row_source=scan_lines");
+  }
+}
+
+/// Rows whose distance was given, by the scan or by the user, may leave more than path.scallop_height.
+void noteScallop(const process::CuttingOptions& options, PathStage& stage) {
+  const auto& figures = stage.accuracy;
+  const auto scallop =
+      std::find_if(figures.begin(), figures.end(), [](const auto& f) { return f.name == "path_scallop"; });
+  if (scallop == figures.end() || scallop->value <= options.scallop_height) return;
+  stage.notes.push_back(
+      "the rows leave a scallop of " + fixed(1e6 * scallop->value, 1) + " um, more than path.scallop_height, " +
+      fixed(1e6 * options.scallop_height, 1) + " um: " +
+      (options.row_source == process::RowSource::surface
+           ? "lower path.pitch, or set it to 0"
+           : "scan at a smaller pitch, or plan rows over the surface with --set path.row_source=surface"));
+}
+
 PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, const JobOptions& options) {
   PathStage stage;
   stage.planned = std::move(planned);
@@ -33,6 +63,8 @@ PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, 
   }
   if (options.path.row_source == process::RowSource::surface)
     addSurfaceTolerances(scan, options.report, stage.accuracy);
+  noteSurface(stage);
+  noteScallop(options.path, stage);
   return stage;
 }
 

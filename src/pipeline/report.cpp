@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path/pipeline/report.h"
 
+#include <algorithm>
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
@@ -103,6 +104,18 @@ Json versionsJson() {
 }
 
 }  // namespace
+
+bool fails(const std::vector<Accuracy>& figures, const std::string& name) {
+  return std::any_of(figures.begin(), figures.end(),
+                     [&](const Accuracy& figure) { return figure.name == name && !figure.pass(); });
+}
+
+std::optional<std::string> worstPlaceNote(const std::vector<Accuracy>& figures, const std::string& name,
+                                          const toolpath::ToolPath& path, const toolpath::WaypointIndex& at) {
+  if (!fails(figures, name)) return std::nullopt;
+  return name + " is largest at " + path.segments[static_cast<std::size_t>(at.segment)].name + " waypoint " +
+         std::to_string(at.index) + (name == "chord_error" ? ", on the move that leads to it" : "");
+}
 
 std::string formatReport(const Report& report, const std::vector<FieldReference>& config,
                          const toolpath::ToolPath& path, const std::vector<toolpath::WaypointVerdict>& verdicts) {

@@ -71,15 +71,11 @@ void markAirRun(std::vector<toolpath::WaypointVerdict>& verdicts) {
   }
 }
 
-/// Tells at which waypoint a figure of the playback is largest, when it fails.
-void notePlace(const std::string& name, const toolpath::WaypointIndex& at, const toolpath::ToolPath& path,
-               MotionStage& stage) {
-  const auto figure = std::find_if(stage.accuracy.begin(), stage.accuracy.end(),
-                                   [&name](const Accuracy& candidate) { return candidate.name == name; });
-  if (figure == stage.accuracy.end() || figure->pass()) return;
-  stage.notes.push_back(name + " is largest at " + path.segments[static_cast<std::size_t>(at.segment)].name +
-                        " waypoint " + std::to_string(at.index) +
-                        (name == "chord_error" ? ", on the move that leads to it" : ""));
+/// Rows to and fro turn a leaning tool by half a turn, which an arm's wrist often cannot do.
+void noteRowOrder(const process::CuttingOptions& options, MotionStage& stage) {
+  const bool leans = options.lead != 0.0 || options.tilt != 0.0;
+  if (!leans || options.row_order != process::RowOrder::zig_zag || stage.report.out == stage.report.in) return;
+  stage.notes.push_back("a leaning tool turns by 180 degrees from row to row to and fro: try --set path.row_order=one_way");
 }
 
 }  // namespace
@@ -97,10 +93,10 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
   addClockOffset(estimate, placement.clock_offset, limits, stage);
-  stage.cloud = std::move(placed.cloud);
+  stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(placed.cloud));
   stage.no_returns = std::move(placed.no_returns);
   stage.mean_beam = placed.mean_beam;
-  stage.report = {"scan", placed.samples_in, stage.cloud.size(), placed.dropped};
+  stage.report = {"scan", placed.samples_in, stage.cloud->size(), placed.dropped};
   return stage;
 }
 
@@ -116,8 +112,8 @@ ScanStage scanFromCloud(std::string_view content, const std::string& name, Units
   stage.mean_beam = file.viewing_direction.value_or(options.beam);
   if (!(stage.mean_beam.norm() > 0.0)) throw InputError("scan.beam is zero, must be a direction");
   stage.mean_beam = geometry::roundedDirection(stage.mean_beam);
-  stage.cloud = std::move(file.cloud);
-  stage.report = {"scan", stage.cloud.size() + file.no_return, stage.cloud.size(), {}};
+  stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(file.cloud));
+  stage.report = {"scan", stage.cloud->size() + file.no_return, stage.cloud->size(), {}};
   scan::addDropped(stage.report.dropped, "no return", file.no_return);
   return stage;
 }
@@ -126,7 +122,7 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
                   const ReportOptions& limits, int threads, const Progress& progress) {
   FitStage stage;
   const scan::SampleRows rows =
-      scan::cleanRows(scanned.cloud, scanned.mean_beam, scan_options.cloud, threads, progress);
+      scan::cleanRows(*scanned.cloud, scanned.mean_beam, scan_options.cloud, threads, progress);
   stage.scan = scan::fitRows(rows, fit_options, threads, progress);
   const scan::FittedScan& scan = stage.scan;
   stage.report = {"fit", scan.samples_in, scan.samples_used, scan.dropped};
@@ -146,7 +142,7 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
   // The filter cuts a row at a gap of max_gap, and of five samples at least.
-  const UnseenShare unseen = unseenShare(scanned.cloud, rows, scanned.no_returns,
+  const UnseenShare unseen = unseenShare(*scanned.cloud, rows, scanned.no_returns,
                                          std::max(scan_options.cloud.filter.max_gap, 5.0 * rows.spacing));
   stage.accuracy.push_back({"unseen_share", unseen.sum(), "1", limits.max_unseen_share});
   if (const auto note = unseenNote(unseen, limits.note_unseen_share)) stage.notes.push_back(*note);
@@ -173,9 +169,13 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
                     {"playback_angle", playback.angle_largest, "rad", angle_limit},
                     {"chord_error", is_air_run ? playback.air_chord_largest : playback.chord_largest, "m",
                      options.motion.chord_tolerance}};
-  notePlace("playback_position", playback.position_largest_at, planned.path, stage);
-  notePlace("playback_angle", playback.angle_largest_at, planned.path, stage);
-  notePlace("chord_error", is_air_run ? playback.air_chord_largest_at : playback.chord_largest_at, planned.path, stage);
+  const auto& chord_largest_at = is_air_run ? playback.air_chord_largest_at : playback.chord_largest_at;
+  for (const auto& [name, at] : {std::pair("playback_position", playback.position_largest_at),
+                                 std::pair("playback_angle", playback.angle_largest_at),
+                                 std::pair("chord_error", chord_largest_at)}) {
+    if (const auto note = worstPlaceNote(stage.accuracy, name, planned.path, at)) stage.notes.push_back(*note);
+  }
+  noteRowOrder(options.path, stage);
   if (!stage.plan.trajectory.points.empty()) {
     stage.accuracy.push_back({"duration", stage.plan.trajectory.points.back().time, "s"});
   }

@@ -71,13 +71,15 @@ pipeline::ScanStage NodeletRunner::scan(const scan_to_path::Progress& progress) 
   results_.clear();
   call("scan_accumulator/finish");
   const auto info = results_.scanInfo(progress);
-  auto stage = scanStage(*results_.cloud(progress), *info);
+  return scanStage(results_.cloud(progress), *info);
+}
+
+pipeline::JobInput NodeletRunner::input(const pipeline::ScanStage& scanned) {
   scan_to_path::geometry::Frame T_cloud_sensor = scan_to_path::geometry::Frame::Identity();
   T_cloud_sensor.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), stage.mean_beam).toRotationMatrix();
-  record_ = {"scan.pcd", scan_to_path::scan::formatPcd(stage.cloud, T_cloud_sensor)};
-  input_ = {record_->name, scan_to_path::sha256(record_->content), pipeline::InputKind::cloud, pipeline::Units::m};
-  return stage;
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), scanned.mean_beam).toRotationMatrix();
+  record_ = {"scan.pcd", scan_to_path::scan::formatPcd(*scanned.cloud, T_cloud_sensor)};
+  return {record_->name, scan_to_path::sha256(record_->content), pipeline::InputKind::cloud, pipeline::Units::m};
 }
 
 pipeline::FitStage NodeletRunner::fit(const pipeline::ScanStage&, const scan_to_path::Progress& progress) {

@@ -124,7 +124,7 @@ core::PlannedPath toMsg(const core::pipeline::PathStage& stage, const std_msgs::
   msg.path = toMsg(stage.planned.path, header);
   msg.findings = toVerdicts(stage.planned.findings);
   msg.allowances = stage.planned.allowances;
-  msg.report = toMsg(stage.report, stage.accuracy, {}, header);
+  msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   return msg;
 }
 
@@ -139,6 +139,7 @@ core::pipeline::PathStage fromMsg(const core::PlannedPath& msg) {
   stage.planned.allowances = msg.allowances;
   stage.report = stageReport(msg.report);
   stage.accuracy = accuracy(msg.report);
+  stage.notes = msg.report.notes;
   return stage;
 }
 
@@ -155,7 +156,7 @@ core::MotionPlan toMsg(const core::pipeline::MotionStage& stage, const std_msgs:
   }
   msg.verdicts = toVerdicts(stage.verdicts);
   msg.max_chord_error = stage.plan.max_chord_error;
-  msg.report = toMsg(stage.report, stage.accuracy, {}, header);
+  msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   return msg;
 }
 
@@ -181,6 +182,7 @@ core::pipeline::MotionStage fromMsg(const core::MotionPlan& msg) {
   stage.plan.max_chord_error = msg.max_chord_error;
   stage.report = stageReport(msg.report);
   stage.accuracy = accuracy(msg.report);
+  stage.notes = msg.report.notes;
   return stage;
 }
 

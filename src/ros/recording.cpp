@@ -28,10 +28,12 @@ constexpr std::int64_t pause = 2 * second;  // without samples: another scan, as
 /// A log's time, to the microsecond that logs have.
 std::int64_t nanoseconds(double seconds) { return 1000 * static_cast<std::int64_t>(std::llround(seconds * 1e6)); }
 
-/// REP 117: NaN for a fault, +Inf for no return.
+/// REP 117: NaN for a fault, -Inf for something too near, +Inf for no return.
 double rangeOf(const core::sensing::PointLaserOptions& laser, double voltage) {
   if (std::isnan(voltage)) return std::numeric_limits<double>::quiet_NaN();
-  return core::sensing::distanceFromVoltage(laser, voltage).value_or(std::numeric_limits<double>::infinity());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double no_return = core::sensing::isTooNear(laser, voltage) ? -infinity : infinity;
+  return core::sensing::distanceFromVoltage(laser, voltage).value_or(no_return);
 }
 
 std::int64_t stampOf(const ros::Time& stamp) { return static_cast<std::int64_t>(stamp.toNSec()); }

@@ -17,6 +17,8 @@ using core::InputError;
 using core::geometry::Frame;
 using core::geometry::Vector3;
 
+constexpr const char* no_return = "no return";
+
 /// Seconds on a grid of nanoseconds, so that the same instant is the same number however it came.
 double onGrid(double seconds) { return std::round(seconds * 1e9) / 1e9; }
 
@@ -47,6 +49,7 @@ void SamplePlacer::restart(const SamplePlacerOptions& options) {
   start_ = acknowledged_ = ros::Time();
   went_back_ = ros::Duration();
   cloud_ = core::scan::ScanCloud();
+  no_returns_.clear();
   cloud_.header.frame_id = options_.base_frame;
   cloud_.height = 1;
 }
@@ -103,7 +106,7 @@ void SamplePlacer::finish() {
 
 void SamplePlacer::giveUp(const char* reason) {
   for (; !waiting_.empty(); waiting_.pop_front()) {
-    drop(reason);
+    leaveOut(waiting_.front(), reason);
     acknowledged_ = waiting_.front().stamp;
   }
 }
@@ -116,8 +119,8 @@ void SamplePlacer::placeWaiting() {
 }
 
 SamplePlacer::Outcome SamplePlacer::place(const Sample& sample) {
-  if (!std::isfinite(sample.range)) {
-    drop(std::isnan(sample.range) ? "sensor fault" : "no return");  // REP 117
+  if (std::isnan(sample.range)) {  // REP 117
+    leaveOut(sample, "sensor fault");
     return Outcome::done;
   }
   using Reach = TransformHistory::Reach;
@@ -125,41 +128,55 @@ SamplePlacer::Outcome SamplePlacer::place(const Sample& sample) {
   switch (transforms_.reach(stamp)) {
     case Reach::not_yet:
       if (waiting_.back().stamp - sample.stamp <= ros::Duration(options_.max_wait)) return Outcome::later;
-      drop("no transform");
+      leaveOut(sample, "no transform");
       break;
     case Reach::before_first:
-      drop("no joint reading");
+      leaveOut(sample, "no joint reading");
       break;
     case Reach::gap:
-      drop("joint readings too far apart");
+      leaveOut(sample, "joint readings too far apart");
       break;
     case Reach::jump:
-      drop("transform jumps");
+      leaveOut(sample, "transform jumps");
       break;
     case Reach::known:
-      addPoint(sample, stamp);
+      addSample(sample, stamp);
       break;
   }
   return Outcome::done;
 }
 
-void SamplePlacer::addPoint(const Sample& sample, const ros::Time& stamp) {
+void SamplePlacer::addSample(const Sample& sample, const ros::Time& stamp) {
+  const bool has_return = std::isfinite(sample.range);
   try {
     const Frame T = transforms_.sensorAt(stamp);
-    const Vector3 beam = T.linear().col(2);
-    const Vector3 point = T.translation() + sample.range * beam;  // Equation (2)
-    core::scan::ScanPoint target;
-    target.getVector4fMap() << point.cast<float>(), 1.0F;
-    target.line = core::scan::no_line;
-    target.time = sample.time;
-    cloud_.points.push_back(target);
-    beam_sum_ += beam;
+    if (has_return) {
+      addPoint(sample, T);
+      return;
+    }
+    const Vector3 far_end = T.translation() + options_.range_max * T.linear().col(2);
+    no_returns_.push_back({far_end.cast<float>(), sample.range < 0.0});
+    leaveOut(sample, no_return);
   } catch (const tf2::TransformException&) {
-    drop("no transform");
+    leaveOut(sample, "no transform");
   }
 }
 
-void SamplePlacer::drop(const char* reason) { core::scan::addDropped(dropped_, reason, 1); }
+void SamplePlacer::addPoint(const Sample& sample, const Frame& T_base_sensor) {
+  const Vector3 beam = T_base_sensor.linear().col(2);
+  const Vector3 point = T_base_sensor.translation() + sample.range * beam;  // Equation (2)
+  core::scan::ScanPoint target;
+  target.getVector4fMap() << point.cast<float>(), 1.0F;
+  target.line = core::scan::no_line;
+  target.time = sample.time;
+  cloud_.points.push_back(target);
+  beam_sum_ += beam;
+}
+
+/// A beam without a return is none wherever it went: that is the reason for which there is no point of it.
+void SamplePlacer::leaveOut(const Sample& sample, const char* reason) {
+  core::scan::addDropped(dropped_, std::isinf(sample.range) ? no_return : reason, 1);
+}
 
 core::pipeline::ScanStage SamplePlacer::take() {
   if (!went_back_.isZero()) {
@@ -176,7 +193,8 @@ core::pipeline::ScanStage SamplePlacer::take() {
   pcl_conversions::toPCL(start_, cloud_.header.stamp);
   stage.report = {"scan", samples_in_, cloud_.points.size(), dropped_};
   stage.mean_beam = core::geometry::roundedDirection(beam_sum_);
-  stage.cloud = std::move(cloud_);
+  stage.cloud = std::make_shared<const core::scan::ScanCloud>(std::move(cloud_));
+  stage.no_returns = {std::move(no_returns_), options_.range_max - options_.range_min};
   restart(options_);
   return stage;
 }

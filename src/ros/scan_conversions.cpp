@@ -68,19 +68,49 @@ std::vector<Eigen::Vector2d> fromPolygon(const core::OutlinePolygon& msg) {
   return polygon;
 }
 
+core::scan::NoReturns noReturns(const core::ScanInfo& info) {
+  if (info.no_return_ends.size() != info.no_return_is_too_near.size()) {
+    throw InputError("scan_info: " + std::to_string(info.no_return_ends.size()) + " no_return_ends and " +
+                     std::to_string(info.no_return_is_too_near.size()) + " no_return_is_too_near, must be as many");
+  }
+  if (!(info.sensor_range >= 0.0 && std::isfinite(info.sensor_range))) {
+    throw InputError("scan_info", "sensor_range", std::to_string(info.sensor_range) + " m", "0 or more");
+  }
+  core::scan::NoReturns returns;
+  returns.range = info.sensor_range;
+  for (std::size_t i = 0; i < info.no_return_ends.size(); ++i) {
+    const auto& end = info.no_return_ends[i];
+    const Eigen::Vector3f far_end(end.x, end.y, end.z);
+    if (!far_end.allFinite()) throw InputError("scan_info: no_return_ends[" + std::to_string(i) + "] is not finite");
+    returns.beams.push_back({far_end, info.no_return_is_too_near[i] != 0});
+  }
+  return returns;
+}
+
 }  // namespace
 
 core::ScanInfo toInfo(const core::pipeline::ScanStage& stage, const std_msgs::Header& header) {
   core::ScanInfo msg;
   msg.header = header;
   msg.mean_beam = toVector(stage.mean_beam);
+  for (const auto& beam : stage.no_returns.beams) {
+    geometry_msgs::Point32 end;
+    end.x = beam.far_end.x();
+    end.y = beam.far_end.y();
+    end.z = beam.far_end.z();
+    msg.no_return_ends.push_back(end);
+    msg.no_return_is_too_near.push_back(static_cast<std::uint8_t>(beam.is_too_near));
+  }
+  msg.sensor_range = stage.no_returns.range;
   msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   return msg;
 }
 
-core::pipeline::ScanStage scanStage(const core::scan::ScanCloud& cloud, const core::ScanInfo& info) {
+core::pipeline::ScanStage scanStage(const boost::shared_ptr<const core::scan::ScanCloud>& cloud,
+                                    const core::ScanInfo& info) {
   core::pipeline::ScanStage stage;
-  stage.cloud = cloud;
+  stage.cloud = {cloud.get(), [cloud](const core::scan::ScanCloud*) {}};
+  stage.no_returns = noReturns(info);
   stage.mean_beam = fromVector(info.mean_beam);
   if (!(std::abs(stage.mean_beam.norm() - 1.0) <= 1e-6)) {
     throw InputError("scan_info: mean_beam has length " + std::to_string(stage.mean_beam.norm()) +

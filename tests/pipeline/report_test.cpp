@@ -54,6 +54,16 @@ TEST(Report, NotANumberNeverPasses) {
   EXPECT_TRUE((Accuracy{"a", 5.0, "m"}).pass());
 }
 
+TEST(Report, SaysWhereAFigureThatFailsIsLargest) {
+  toolpath::ToolPath path;
+  path.segments = {{"approach", {}}, {"row_7", {}}};
+  const std::vector<Accuracy> figures = {{"chord_error", 2.0, "m", 1.0}, {"playback_angle", 1.0, "rad", 1.0}};
+  EXPECT_EQ(worstPlaceNote(figures, "chord_error", path, {1, 3}),
+            "chord_error is largest at row_7 waypoint 3, on the move that leads to it");
+  EXPECT_EQ(worstPlaceNote(figures, "playback_angle", path, {1, 3}), std::nullopt);
+  EXPECT_EQ(worstPlaceNote(figures, "playback_position", path, {1, 3}), std::nullopt);
+}
+
 TEST(Report, TextThatIsNotUtf8DoesNotBreakIt) {
   Report report;
   report.input_file = "part\xff.csv";

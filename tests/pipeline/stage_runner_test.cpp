@@ -26,7 +26,7 @@ public:
     asked.push_back("scan");
     return scan_;
   }
-  JobInput input() const override { return {"elsewhere", std::string(64, '0'), InputKind::cloud, Units::m}; }
+  JobInput input(const ScanStage&) override { return {"elsewhere", std::string(64, '0'), InputKind::cloud, Units::m}; }
   std::optional<program::ProgramFile> record() const override { return program::ProgramFile{"scan.pcd", "kept"}; }
   FitStage fit(const ScanStage& scanned, const Progress& progress) override {
     asked.push_back("fit");
@@ -112,7 +112,7 @@ TEST_F(StageRunnerTest, AScanKeptAsACloudGivesTheSamePath) {
   geometry::Frame T_cloud_sensor = geometry::Frame::Identity();
   T_cloud_sensor.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), scanned.mean_beam).toRotationMatrix();
-  std::ofstream(directory_ / "scan.pcd", std::ios::binary) << scan::formatPcd(scanned.cloud, T_cloud_sensor);
+  std::ofstream(directory_ / "scan.pcd", std::ios::binary) << scan::formatPcd(*scanned.cloud, T_cloud_sensor);
   const JobRequest cloud = request("scan.pcd", "cloud");
   runJob(cloud, options_, {});
   EXPECT_EQ(readFile(cloud.out / "path.csv"), readFile(log.out / "path.csv"));

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <array>
 
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/program/rapid_reader.h"
@@ -29,8 +28,8 @@ TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
   const Cell cell = makeCell(CellOptions(), source_package);
   const ScanSection options;
   const ScanStage samples = scanFromSamples(smallScan(), cell, options, {}, 1, {});
-  const ScanStage cloud = scanFromCloud(scan::formatPcd(samples.cloud), "cloud.pcd", Units::m, false, options);
-  ASSERT_EQ(cloud.cloud.size(), samples.cloud.size());
+  const ScanStage cloud = scanFromCloud(scan::formatPcd(*samples.cloud), "cloud.pcd", Units::m, false, options);
+  ASSERT_EQ(cloud.cloud->size(), samples.cloud->size());
   EXPECT_LT(geometry::angleBetween(cloud.mean_beam, samples.mean_beam), 1e-6);
   const FitStage a = fitStage(samples, options, {}, {}, 1, {});
   const FitStage b = fitStage(cloud, options, {}, {}, 1, {});
@@ -42,11 +41,11 @@ TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
 
 TEST(Stages, CloudsInMillimetresAreScaledOrSuggested) {
   const Cell cell = makeCell(CellOptions(), source_package);
-  ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
-  for (auto& point : samples.cloud) point.getVector3fMap() *= 1000.0F;
-  const std::string text = scan::formatPcd(samples.cloud);
+  scan::ScanCloud millimetres = *scanFromSamples(smallScan(), cell, {}, {}, 1, {}).cloud;
+  for (auto& point : millimetres) point.getVector3fMap() *= 1000.0F;
+  const std::string text = scan::formatPcd(millimetres);
   const ScanStage scaled = scanFromCloud(text, "mm.pcd", Units::mm, true, {});
-  EXPECT_LT(scaled.cloud.front().getVector3fMap().norm(), 3.0F);
+  EXPECT_LT(scaled.cloud->front().getVector3fMap().norm(), 3.0F);
   try {
     scanFromCloud(text, "mm.pcd", Units::m, false, {});
     FAIL() << "a part of 60 m was taken";
@@ -63,7 +62,7 @@ TEST(Stages, TheFitsLimitsComeFromTheOptions) {
   const FitStage fit = fitStage(samples, {}, {}, limits, 1, {});
   EXPECT_FALSE(figure(fit.accuracy, "line_residual_rms").limit.has_value());
   EXPECT_EQ(*figure(fit.accuracy, "dropped_share").limit, limits.max_dropped_share);
-  EXPECT_EQ(fit.report.in, samples.cloud.size());
+  EXPECT_EQ(fit.report.in, samples.cloud->size());
 }
 
 TEST(Stages, OnlyRowsOnTheSurfaceAnswerForIt) {
@@ -101,23 +100,6 @@ TEST(Stages, FindingsOfThePathOutrankTheMotions) {
   EXPECT_EQ(gouges, 1U);
   EXPECT_EQ(motion.verdicts.size(), toolpath::waypointCount(path.planned.path));
   EXPECT_EQ(motion.report.out, motion.report.in - 1);
-}
-
-// The middle of the second move is in the robot's base, where halving the move ends.
-TEST(Stages, AChordThatFailsNamesItsWaypoint) {
-  const Cell cell = makeCell(CellOptions(), source_package);
-  PathStage path;
-  const auto pose = [](double y) { return geometry::makeFrame({0.1, y, 0.6}, {M_PI, 0.0, 0.0}); };
-  path.planned.path.segments.push_back({"row_7", std::vector<toolpath::Waypoint>(3)});
-  const std::array<double, 3> y = {-0.91, -0.9, 0.9};
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    path.planned.path.segments[0].waypoints[i].pose = pose(y[i]);
-    path.planned.path.segments[0].waypoints[i].process_on = true;
-    path.planned.path.segments[0].waypoints[i].feed = 0.02;
-  }
-  const MotionStage motion = motionStage(path, cell, {}, {});
-  ASSERT_FALSE(figure(motion.accuracy, "chord_error").pass());
-  EXPECT_THAT(motion.notes, testing::Contains(HasSubstr("chord_error is largest at row_7 waypoint 2")));
 }
 
 TEST(Stages, ProgramIsReadBackWithoutDiscrepancy) {

@@ -52,8 +52,8 @@ scan::SampleLog slope(double about_x, double about_y) {
 UnseenShare shareOf(const scan::SampleLog& log) {
   const Cell cell = makeCell(CellOptions(), source_package);
   const ScanStage scanned = scanFromSamples(log, cell, {}, {}, 1, {});
-  const auto rows = scan::cleanRows(scanned.cloud, scanned.mean_beam, {});
-  return unseenShare(scanned.cloud, rows, scanned.no_returns, 0.002);
+  const auto rows = scan::cleanRows(*scanned.cloud, scanned.mean_beam, {});
+  return unseenShare(*scanned.cloud, rows, scanned.no_returns, 0.002);
 }
 
 const Accuracy* figureOf(const FitStage& fit) {
@@ -147,7 +147,7 @@ TEST(UnseenShare, ATableSeenThroughThePartIsTold) {
   const FitStage fit = fitted(surfaces);
   EXPECT_NEAR(unseen(fit), pocket_share, tolerance);
   ASSERT_EQ(fit.notes.size(), 1U);
-  EXPECT_THAT(fit.notes[0], HasSubstr("(0.0 % no return, 11.1 % table or dropped)"));
+  EXPECT_THAT(fit.notes[0], HasSubstr("0.0 % no return, 11.1 % table or dropped)"));
 }
 
 // A slot of 20 mm along the rows, through and through: 5 of 15 rows.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path_ros/conversions.h"
 
+#include <boost/make_shared.hpp>
 #include <gmock/gmock.h>
 #include <ros/serialization.h>
 
@@ -118,11 +119,19 @@ core::toolpath::WaypointVerdict anyVerdict() {
 TEST(Conversions, ScanKeepsItsCloudBeamAndReport) {
   pipeline::ScanStage scan = stages().scan;
   scan.notes.push_back("a note");
+  scan.no_returns = {{{Eigen::Vector3f(0.1F, -0.2F, 0.3F), false}, {Eigen::Vector3f(0.4F, 0.5F, 0.6F), true}}, 0.05};
   const auto info = sent(toInfo(scan, header()));
   EXPECT_EQ(info.header.stamp, header().stamp);
-  const auto back = scanStage(scan.cloud, info);
+  const auto cloud = boost::make_shared<core::scan::ScanCloud>(*scan.cloud);
+  const auto back = scanStage(cloud, info);
+  EXPECT_EQ(back.cloud.get(), cloud.get());  // no copy
   EXPECT_TRUE(sameBits(back.mean_beam, scan.mean_beam));
-  EXPECT_EQ(back.cloud.size(), scan.cloud.size());
+  EXPECT_EQ(back.no_returns.range, scan.no_returns.range);
+  ASSERT_EQ(back.no_returns.beams.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.no_returns.beams[i].far_end, scan.no_returns.beams[i].far_end);
+    EXPECT_EQ(back.no_returns.beams[i].is_too_near, scan.no_returns.beams[i].is_too_near);
+  }
   EXPECT_EQ(back.notes, scan.notes);
   expectSame(back.report, scan.report);
   expectSame(back.accuracy, scan.accuracy);
@@ -272,7 +281,14 @@ TEST(Conversions, RefusesFitsThatDoNotFitTogether) {
   expectInputError([&] { fromMsg(bad); }, "outline point 0 is not finite");
   core::ScanInfo info = toInfo(stages().scan, header());
   info.mean_beam.x = nan;
-  expectInputError([&] { scanStage(stages().scan.cloud, info); }, "mean_beam has length nan");
+  const auto cloud = boost::make_shared<core::scan::ScanCloud>();
+  expectInputError([&] { scanStage(cloud, info); }, "mean_beam has length nan");
+  info = toInfo(stages().scan, header());
+  info.no_return_is_too_near.push_back(1);
+  expectInputError([&] { scanStage(cloud, info); }, "no_return_is_too_near, must be as many");
+  info.no_return_ends.resize(info.no_return_is_too_near.size());
+  info.no_return_ends.back().y = static_cast<float>(nan);
+  expectInputError([&] { scanStage(cloud, info); }, "is not finite");
 }
 
 TEST(Conversions, RefusesPathsAndMotionsThatDoNotFitTogether) {

@@ -200,13 +200,34 @@ TEST_F(SamplePlacerTest, HandsOnCloudBeamAndCounts) {
   const auto stage = placer_.take();
   EXPECT_EQ(stage.report.in, 3U);
   EXPECT_EQ(stage.report.out, 2U);
-  EXPECT_EQ(stage.cloud.size(), 2U);
-  EXPECT_EQ(stage.cloud.width, 2U);
-  EXPECT_EQ(stage.cloud.header.frame_id, "base_link");
-  EXPECT_EQ(stage.cloud.header.stamp, 100020000U);                                      // [us]
+  EXPECT_EQ(stage.cloud->size(), 2U);
+  EXPECT_EQ(stage.cloud->width, 2U);
+  EXPECT_EQ(stage.cloud->header.frame_id, "base_link");
+  EXPECT_EQ(stage.cloud->header.stamp, 100020000U);                                      // [us]
   EXPECT_LT((stage.mean_beam - core::geometry::Vector3(0.0, 0.0, -1.0)).norm(), 1e-9);  // roundedDirection's digits
   EXPECT_EQ(placer_.samplesIn(), 0U);
   EXPECT_TRUE(placer_.acknowledged().isZero());
+}
+
+TEST_F(SamplePlacerTest, KeepsWhereBeamsWithoutAReturnEnd) {
+  SamplePlacerOptions options;
+  options.range_min = 0.05;
+  options.range_max = 0.15;
+  placer_.restart(options);
+  addMount();
+  addReadings(0, 10);
+  placer_.addSamples(MovingSensor::samples(0.02, {0.0, 0.001, 0.002, 0.1}, {infinity, 0.1, -infinity, infinity}));
+  placer_.finish();
+  const auto stage = placer_.take();
+  EXPECT_NEAR(stage.no_returns.range, 0.1, 1e-12);
+  ASSERT_EQ(stage.no_returns.beams.size(), 2U);  // of the last one no reading tells where it went
+  EXPECT_LT((stage.no_returns.beams[0].far_end.cast<double>() - MovingSensor::pointAt(0.02, 0.15)).norm(), rounding);
+  EXPECT_FALSE(stage.no_returns.beams[0].is_too_near);
+  EXPECT_LT((stage.no_returns.beams[1].far_end.cast<double>() - MovingSensor::pointAt(0.022, 0.15)).norm(), rounding);
+  EXPECT_TRUE(stage.no_returns.beams[1].is_too_near);
+  ASSERT_EQ(stage.report.dropped.size(), 1U);
+  EXPECT_EQ(stage.report.dropped[0].reason, "no return");
+  EXPECT_EQ(stage.report.dropped[0].count, 3U);
 }
 
 TEST_F(SamplePlacerTest, SaysWhyNothingCouldBePlaced) {

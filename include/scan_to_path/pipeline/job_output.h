@@ -38,7 +38,6 @@ public:
 
   bool hasFailedWaypoint() const;
   bool hasFailedTolerance() const;
-  bool hasFailedTolerance(const std::string& name) const;
 
   /// Whether a robot may not run what came out: a waypoint that would be driven, or a tolerance, fails.
   bool isBlocked() const { return hasFailedWaypoint() || hasFailedTolerance(); }

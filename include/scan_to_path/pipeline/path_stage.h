@@ -19,6 +19,7 @@ struct PathStage {
   process::PlannedPath planned;
   StageReport report;
   std::vector<Accuracy> accuracy;
+  std::vector<std::string> notes;  ///< where a tolerance fails, and what rows cannot keep
 };
 
 /// The planner of `process`. Throws InputError for a process that is not there, naming those that are.

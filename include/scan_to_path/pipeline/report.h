@@ -40,6 +40,13 @@ inline std::optional<double> limitUnlessZero(double limit) {
   return limit > 0.0 ? std::optional<double>(limit) : std::nullopt;
 }
 
+/// True when there is a figure of that name and it exceeds its limit.
+bool fails(const std::vector<Accuracy>& figures, const std::string& name);
+
+/// Says where a figure that fails is largest: at a waypoint, or on the move that leads to it. Nothing when it passes.
+std::optional<std::string> worstPlaceNote(const std::vector<Accuracy>& figures, const std::string& name,
+                                          const toolpath::ToolPath& path, const toolpath::WaypointIndex& at);
+
 /// How a waypoint comes to be left out: it fails, the way to or from the row's end that it is at does, or it goes with
 /// others that are left out.
 enum class LeftOutKind { fails, way_fails, with_others };

@@ -36,8 +36,9 @@ public:
   virtual void read(const Progress&) {}
   virtual ScanStage scan(const Progress& progress) = 0;
 
-  /// After scan(): what it was taken from, and a file that keeps it where the user has none yet.
-  virtual JobInput input() const = 0;
+  /// What the scan was taken from, and then a file that keeps it where the user has none yet. Asked for last: such a
+  /// file is work that no stage waits for.
+  virtual JobInput input(const ScanStage& scanned) = 0;
   virtual std::optional<program::ProgramFile> record() const { return std::nullopt; }
 
   virtual FitStage fit(const ScanStage& scanned, const Progress& progress) {
@@ -62,7 +63,7 @@ public:
   using StageRunner::StageRunner;
   void read(const Progress& progress) override;
   ScanStage scan(const Progress& progress) override;
-  JobInput input() const override { return input_; }
+  JobInput input(const ScanStage&) override { return input_; }
 
 private:
   JobInput input_;

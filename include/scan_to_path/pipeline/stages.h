@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace scan_to_path::pipeline {
 
 /// A scan cloud in base_link (or in the frame of the file it came from), how it was looked at, and what is known of it.
 struct ScanStage {
-  scan::ScanCloud cloud;
+  std::shared_ptr<const scan::ScanCloud> cloud;  ///< never null; shared, so that handing it on copies no point
   Vector3 mean_beam = -Vector3::UnitZ();  ///< unit viewing direction in the cloud's frame
   scan::NoReturns no_returns;             ///< of a sample log; a cloud does not tell
   StageReport report;
@@ -54,7 +55,7 @@ struct MotionStage {
   std::vector<toolpath::WaypointVerdict> verdicts;  ///< the path's findings and the motion's verdicts, one a waypoint
   StageReport report;
   std::vector<Accuracy> accuracy;
-  std::vector<std::string> notes;  ///< where a tolerance fails
+  std::vector<std::string> notes;  ///< where a tolerance fails, and what may help
 };
 
 /// Plans the motion along the path that is driven and plays it back through kinematics that share no code with the

@@ -172,11 +172,11 @@ FigureData makeFigureData(pipeline::JobOptions options, const std::vector<std::f
   options.emulate.errors = sensing::errorPreset(sensing::ErrorSet::realistic);
   options.emulate.seed = seed;
   FigureData data(options, pipeline::makeCell(options.cell, package_path));
-  auto scanned = emulate(options, data.cell, threads);
-  const auto rows = scan::cleanRows(scanned.cloud, scanned.mean_beam, options.scan.cloud, threads);
+  const auto scanned = emulate(options, data.cell, threads);
+  const auto rows = scan::cleanRows(*scanned.cloud, scanned.mean_beam, options.scan.cloud, threads);
   pipeline::FitStage fitted;
   fitted.scan = scan::fitRows(rows, options.fit, threads);
-  data.filtered = pointsOf(rows, scanned.cloud);
+  data.filtered = pointsOf(rows, *scanned.cloud);
   data.outline = liftedOutline(fitted.scan);
   data.detail = detailOf(fitted.scan, data.filtered);
   data.normals = compareNormals(fitted.scan, options.fit);
@@ -184,7 +184,7 @@ FigureData makeFigureData(pipeline::JobOptions options, const std::vector<std::f
   const auto path = pipeline::pathStage(*planner, fitted.scan, options.cell.base_link, options, {});
   const auto motion = pipeline::motionStage(path, data.cell, options, {});
   data.row = playBackRow(path.planned.path, motion.plan.trajectory, data.cell);
-  data.raw = std::move(scanned.cloud);
+  data.raw = *scanned.cloud;
   return data;
 }
 
