@@ -9,7 +9,7 @@ target_link_libraries(scan_to_path_pcl INTERFACE Eigen3::Eigen)
 # Half of what a source costs is templates that its neighbours use too. Hence names in anonymous namespaces differ within
 # a module, and within its tests.
 function(scan_to_path_join_sources target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOIN_SOURCES} UNITY_BUILD_BATCH_SIZE 7)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOIN_SOURCES} UNITY_BUILD_BATCH_SIZE 16)
 endfunction()
 
 # The headers that every source includes anyway, compiled once for all modules.

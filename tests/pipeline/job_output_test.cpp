@@ -15,7 +15,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-toolpath::ToolPath onePath() {
+toolpath::ToolPath twoWaypoints() {
   toolpath::ToolPath path;
   path.process = "cutting";
   path.frame = "base_link";
@@ -29,7 +29,7 @@ std::vector<toolpath::WaypointVerdict> verdicts(toolpath::Verdict second) {
 
 TEST(JobOutput, IsBlockedByAWaypointOrATolerance) {
   JobOutput output;
-  output.setPath(onePath(), verdicts(toolpath::Verdict::ok));
+  output.setPath(twoWaypoints(), verdicts(toolpath::Verdict::ok));
   output.setFigures({{"a", 1.0, "m", 2.0}});
   EXPECT_FALSE(output.isBlocked());
   output.setFigures({{"a", 3.0, "m", 2.0}});
@@ -37,7 +37,7 @@ TEST(JobOutput, IsBlockedByAWaypointOrATolerance) {
   EXPECT_TRUE(output.hasFailedTolerance());
   output.setFigures({{"a", 1.0, "m", 2.0}});
   EXPECT_FALSE(output.isBlocked());
-  output.setPath(onePath(), verdicts(toolpath::Verdict::speed));
+  output.setPath(twoWaypoints(), verdicts(toolpath::Verdict::speed));
   EXPECT_TRUE(output.isBlocked());
   EXPECT_FALSE(output.hasFailedTolerance());
 }
@@ -51,7 +51,7 @@ TEST(JobOutput, AStagePutAgainTakesItsPlace) {
   output.addStage({"path", 9, 8, {}}, {{"path_rows", 3.0, ""}, {"path_time", 5.0, "s"}, {"row_pitch", 1.0, "m"}}, {});
   output.dropFigures("path_");
   output.addStage({"path", 9, 7, {}}, {{"path_time", 4.0, "s"}}, {});
-  output.setPath(onePath(), verdicts(toolpath::Verdict::ok));
+  output.setPath(twoWaypoints(), verdicts(toolpath::Verdict::ok));
   output.write(request, JobOptions(), Timing(), {});
   const auto report = nlohmann::json::parse(readFile(request.out / "report.json"));
   EXPECT_EQ(report["stages"].size(), 1U);
@@ -68,7 +68,7 @@ TEST(JobOutput, WhatIsLeftOutIsNoSuccess) {
   request.input = "samples.csv";
   request.out = root / "out";
   const auto written = [&](JobOutput output) {
-    output.setPath(onePath(), verdicts(toolpath::Verdict::ok));
+    output.setPath(twoWaypoints(), verdicts(toolpath::Verdict::ok));
     output.addFile("program.mod", "MODULE a");
     return output.write(request, JobOptions(), Timing(), {});
   };

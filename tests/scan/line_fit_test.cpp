@@ -37,7 +37,7 @@ SampleRows rowsOf(const Height& z, double noise = 0.0, int count = 5, double spa
   return rows;
 }
 
-double wave(double x) { return 0.01 * std::sin(60.0 * x); }
+double shortWave(double x) { return 0.01 * std::sin(60.0 * x); }
 double roof(double x) { return x < 0.04 ? x : 0.08 - x; }
 
 void cutOut(SampleRows& rows, double from, double to) {
@@ -69,10 +69,10 @@ class Parameterizations : public ::testing::TestWithParam<Parameterization> {};
 TEST_P(Parameterizations, FollowASmoothRow) {
   LineFitOptions options;
   options.parameterization = GetParam();
-  const FittedLines fitted = fitLines(rowsOf(wave), options);
+  const FittedLines fitted = fitLines(rowsOf(shortWave), options);
   ASSERT_EQ(fitted.lines.size(), 5u);
   for (const FittedLine& line : fitted.lines) {
-    EXPECT_LT(largestError(line, wave), 0.1e-6);
+    EXPECT_LT(largestError(line, shortWave), 0.1e-6);
     EXPECT_NEAR(nurbs::pointAt(line.curve, line.begin).x(), 0.0, 1e-6);
     EXPECT_NEAR(nurbs::pointAt(line.curve, line.end).x(), 0.1, 60e-6);
     EXPECT_TRUE(line.begins_at_edge && line.ends_at_edge);
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(All, Parameterizations,
 
 TEST(LineFit, EstimatesTheNoiseAlongTheBeam) {
   const double noise = 10e-6;
-  const FittedLines fitted = fitLines(rowsOf(wave, noise), {});
+  const FittedLines fitted = fitLines(rowsOf(shortWave, noise), {});
   for (const FittedLine& line : fitted.lines) {
     // The estimate scatters by sigma / sqrt(2 n); factor 3.
     EXPECT_NEAR(line.sigma, noise, 3.0 * noise / std::sqrt(2.0 * static_cast<double>(line.samples)));
@@ -99,12 +99,12 @@ TEST(LineFit, EstimatesTheNoiseAlongTheBeam) {
 TEST(LineFit, KnownNoiseChoosesByMallows) {
   LineFitOptions options;
   options.control_points.noise = 10e-6;
-  const FittedLines fitted = fitLines(rowsOf(wave, 10e-6), options);
-  for (const FittedLine& line : fitted.lines) EXPECT_LT(largestError(line, wave), 5e-6);
+  const FittedLines fitted = fitLines(rowsOf(shortWave, 10e-6), options);
+  for (const FittedLine& line : fitted.lines) EXPECT_LT(largestError(line, shortWave), 5e-6);
 }
 
 TEST(LineFit, CurvesAreInTheCloudsFrame) {
-  SampleRows rows = rowsOf(wave);
+  SampleRows rows = rowsOf(shortWave);
   const FittedLines here = fitLines(rows, {});
   rows.T_cloud_scan = geometry::makeFrame({1.0, 2.0, 3.0}, {0.3, 0.2, 0.1});
   const FittedLines there = fitLines(rows, {});
@@ -185,7 +185,7 @@ TEST(LineFit, SamplesBeyondACornerTooFewToFitAreCounted) {
 TEST(LineFit, NoisyAndRoundEndsAreNoCorners) {
   // Four samples of 10 um noise, 50 um apart, have a slope that scatters by 0.09: not one of 2000 ends may show.
   std::size_t corners = 0;
-  for (const RowPiece& piece : rowsOf(wave, 10e-6, 1000).pieces) corners += findCorners(piece, {}).size();
+  for (const RowPiece& piece : rowsOf(shortWave, 10e-6, 1000).pieces) corners += findCorners(piece, {}).size();
   EXPECT_EQ(corners, 0u);
   // A round of 2 mm and of 4 mm radius towards the end, down to a slope of 45 degrees.
   for (const double radius : {2e-3, 4e-3}) {
@@ -208,7 +208,7 @@ TEST(LineFit, RoundsAndNoiseAreNoCorners) {
   };
   EXPECT_TRUE(findCorners(rowsOf(round).pieces[0], {}).empty());
   for (const double spacing : {10e-6, 50e-6, 200e-6}) {
-    const SampleRows noisy = rowsOf(wave, 10e-6, 3, spacing);
+    const SampleRows noisy = rowsOf(shortWave, 10e-6, 3, spacing);
     for (const RowPiece& piece : noisy.pieces) EXPECT_TRUE(findCorners(piece, {}).empty());
   }
 }
@@ -222,15 +222,15 @@ TEST(LineFit, AGapLongerThanAKnotSpanSplits) {
 }
 
 TEST(LineFit, AShortDropOutDoesNotMoveTheLine) {
-  SampleRows rows = rowsOf(wave);
+  SampleRows rows = rowsOf(shortWave);
   cutOut(rows, 0.05, 0.0505);
   const FittedLines fitted = fitLines(rows, {});
   ASSERT_EQ(fitted.lines.size(), 5u);
-  EXPECT_LT(largestError(fitted.lines[0], wave), 1.2e-6);
+  EXPECT_LT(largestError(fitted.lines[0], shortWave), 1.2e-6);
 }
 
 TEST(LineFit, ShortPiecesAreCounted) {
-  SampleRows rows = rowsOf(wave);
+  SampleRows rows = rowsOf(shortWave);
   rows.pieces.push_back(subPiece(rows.pieces[0], 0, 5));
   rows.pieces.back().row = 5;
   const FittedLines fitted = fitLines(rows, {});
