@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 scan_to_path developers
 # SPDX-License-Identifier: Apache-2.0
-"""The S part with the error set `realistic`, seeds 1 to 5, from emulation to path, against the true surface.
+"""The S part with the error set `realistic`, seeds 1 to SEEDS, from emulation to path, against the true surface.
 
-usage: acceptance_test.py EXECUTABLE
+usage: acceptance_test.py EXECUTABLE SEEDS
 """
 import json
 import pathlib
@@ -13,6 +13,7 @@ import tempfile
 import unittest
 
 EXECUTABLE = pathlib.Path(sys.argv.pop(1)).resolve()
+SEEDS = int(sys.argv.pop(1))
 RMS, LARGEST = 12e-6, 45e-6  # [m] path off the true surface
 
 
@@ -34,7 +35,7 @@ def holds(value):
 
 class Acceptance(unittest.TestCase):
     def test_path_lies_on_the_part_and_leaves_no_more_than_asked_for(self):
-        for seed in range(1, 6):
+        for seed in range(1, SEEDS + 1):
             with self.subTest(seed=seed):
                 value = figures(seed)
                 self.assertTrue(holds(value), value)
