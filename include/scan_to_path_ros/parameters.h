@@ -36,6 +36,14 @@ void clearJob(const ros::NodeHandle& nodes);
 /// The recording that is the scan of the job under way; empty: it is a scan.
 std::string jobBag(const ros::NodeHandle& nodes);
 
+/// A parameter's value; its default, which it then has for everybody to see, when it is not set.
+template <class Value>
+Value parameter(const ros::NodeHandle& nodes, const std::string& name, const Value& otherwise) {
+  Value value = otherwise;
+  if (!nodes.getParam(name, value)) nodes.setParam(name, otherwise);
+  return value;
+}
+
 /// Where package:// addresses are looked up: ROS_PACKAGE_PATH.
 std::vector<std::filesystem::path> packagePath();
 

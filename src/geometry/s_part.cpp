@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "scan_to_path/common/angles.h"
 
 #include "scan_to_path/geometry/height_field.h"
 
@@ -11,8 +10,8 @@ namespace {
 
 constexpr double length = 0.24;              // along x [m]
 constexpr double width = 0.16;               // along y [m]
-constexpr double along = 2.0 * pi / length;  // wave numbers [rad/m]
-constexpr double across = pi / width;
+constexpr double along = 2.0 * M_PI / length;  // wave numbers [rad/m]
+constexpr double across = M_PI / width;
 constexpr double a = 0.020;  // amplitudes [m]
 constexpr double b = 0.004;
 constexpr double c = 0.003;

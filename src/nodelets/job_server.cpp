@@ -32,9 +32,10 @@ public:
 private:
   void onInit() override {
     ros::NodeHandle& own = getPrivateNodeHandle();
-    waiting_.first_sample = own.param("first_sample", waiting_.first_sample);
-    waiting_.silence = own.param("silence", waiting_.silence);
-    results_ = std::make_unique<scan_to_path_ros::StageResults>(getNodeHandle(), own.param("stage_silence", 60.0));
+    waiting_.first_sample = scan_to_path_ros::parameter(own, "first_sample", waiting_.first_sample);
+    waiting_.silence = scan_to_path_ros::parameter(own, "silence", waiting_.silence);
+    const double stage_silence = scan_to_path_ros::parameter(own, "stage_silence", 60.0);
+    results_ = std::make_unique<scan_to_path_ros::StageResults>(getNodeHandle(), stage_silence);
     cancel_ = getNodeHandle().advertise<std_msgs::Empty>("cancel", 1);
     server_ = std::make_unique<Server>(
         own, "run", [this](Goal goal) { accept(goal); }, [this](Goal goal) { cancel(goal); }, false);
@@ -97,7 +98,7 @@ private:
     request.process = goal.process;
     request.out = goal.out;
     request.input = request.out / "scan.pcd";  // where NodeletRunner keeps it
-    request.threads = getPrivateNodeHandle().param("threads", 0);
+    request.threads = scan_to_path_ros::parameter(getPrivateNodeHandle(), "threads", 0);
     request.package_path = scan_to_path_ros::packagePath();
     const auto cell = scan_to_path::pipeline::makeCell(options.cell, request.package_path);
     scan_to_path_ros::NodeletRunner stages(getNodeHandle(), *results_, waiting_, request, options, cell);

@@ -24,7 +24,7 @@ class PathPlanner : public nodelet::Nodelet {
   void plan(const scan_to_path::FittedScanConstPtr& msg) {
     stage_->run(msg->header, [&](const scan_to_path::Progress& progress) {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
-      const auto process = getNodeHandle().param<std::string>("process", "cutting");
+      const auto process = scan_to_path_ros::parameter<std::string>(getNodeHandle(), "process", "cutting");
       const auto fitted = scan_to_path_ros::fromMsg(*msg);
       const auto planner = scan_to_path::pipeline::makePlanner(process, options);
       const auto planned =

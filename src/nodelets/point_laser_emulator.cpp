@@ -26,10 +26,10 @@ class PointLaserEmulator : public nodelet::Nodelet {
     ros::NodeHandle& own = getPrivateNodeHandle();
     scan_to_path_ros::LogPlayerOptions options;
     options.sensor_frame = sensor_frame;
-    options.real_time = own.param("real_time", options.real_time);
-    options.batch = own.param("batch", options.batch);
-    options.window = own.param("window", options.window);
-    options.timeout = own.param("timeout", options.timeout);
+    options.real_time = scan_to_path_ros::parameter(own, "real_time", options.real_time);
+    options.batch = scan_to_path_ros::parameter(own, "batch", options.batch);
+    options.window = scan_to_path_ros::parameter(own, "window", options.window);
+    options.timeout = scan_to_path_ros::parameter(own, "timeout", options.timeout);
     const auto cell = scan_to_path::pipeline::makeCell(scan_to_path_ros::readJobOptions(getNodeHandle()).cell,
                                                        scan_to_path_ros::packagePath());
     player_ = std::make_unique<scan_to_path_ros::LogPlayer>(getMTNodeHandle(), options, cell.robot);
@@ -43,7 +43,7 @@ class PointLaserEmulator : public nodelet::Nodelet {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
       const auto cell = scan_to_path::pipeline::makeCell(options.cell, scan_to_path_ros::packagePath());
       auto bag = scan_to_path_ros::jobBag(getNodeHandle());
-      if (bag.empty()) bag = getPrivateNodeHandle().param("bag", bag);
+      if (bag.empty()) bag = scan_to_path_ros::parameter(getPrivateNodeHandle(), "bag", bag);
       player_->start(bag.empty() ? emulate(options, cell) : scan_to_path_ros::recordingFromBag(bag, sensor_frame));
       response.success = 1;
     } catch (const scan_to_path::InputError& error) {
@@ -57,10 +57,10 @@ class PointLaserEmulator : public nodelet::Nodelet {
                                       const scan_to_path::pipeline::Cell& cell) {
     const auto world = scan_to_path::tools::makeWorld(worldOptions());
     auto emulation = options.emulate;
-    if (!mesh().empty() && getPrivateNodeHandle().param("raster_height_from_mesh", true)) {
+    if (scan_to_path_ros::parameter(getPrivateNodeHandle(), "raster_height_from_mesh", true) && !mesh().empty()) {
       emulation.raster.height = scan_to_path::tools::rasterHeight(world, cell.laser);
     }
-    const auto errors = getPrivateNodeHandle().param<std::string>("errors", "");
+    const auto errors = scan_to_path_ros::parameter<std::string>(getPrivateNodeHandle(), "errors", "");
     if (!errors.empty()) {
       const auto set = scan_to_path::parseEnum<scan_to_path::sensing::ErrorSet>("~errors", errors);
       emulation.errors = scan_to_path::sensing::errorPreset(set);
@@ -82,19 +82,19 @@ class PointLaserEmulator : public nodelet::Nodelet {
     return true;
   }
 
-  std::string mesh() { return getPrivateNodeHandle().param<std::string>("workpiece", ""); }
+  std::string mesh() { return scan_to_path_ros::parameter<std::string>(getPrivateNodeHandle(), "workpiece", ""); }
 
   scan_to_path::tools::WorldOptions worldOptions() {
     ros::NodeHandle& own = getPrivateNodeHandle();
     scan_to_path::tools::WorldOptions options;
     options.workpiece = mesh();
-    const auto units = own.param<std::string>("workpiece_units", "");
+    const auto units = scan_to_path_ros::parameter<std::string>(own, "workpiece_units", "");
     if (!units.empty())
       options.units = scan_to_path::parseEnum<scan_to_path::pipeline::Units>("workpiece_units", units);
     double number = 0.0;
     if (own.getParam("workpiece_scale", number)) options.scale = number;
     if (own.getParam("table", number)) options.table = number;
-    options.no_table = own.param("no_table", false);
+    options.no_table = scan_to_path_ros::parameter(own, "no_table", false);
     return options;
   }
 

@@ -85,7 +85,7 @@ class ScanAccumulator : public nodelet::Nodelet {
     placing.clock_offset = options.scan.placement.clock_offset;
     placing.range_min = options.cell.laser.distance_min;
     placing.range_max = options.cell.laser.distance_max;
-    placing.max_wait = getPrivateNodeHandle().param("max_wait", placing.max_wait);
+    placing.max_wait = scan_to_path_ros::parameter(getPrivateNodeHandle(), "max_wait", placing.max_wait);
     return placing;
   }
 

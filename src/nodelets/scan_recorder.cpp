@@ -7,6 +7,8 @@
 #include <tf2_msgs/TFMessage.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "scan_to_path_ros/parameters.h"
+
 namespace scan_to_path_nodelets {
 
 /// Records what the robot and its sensor say, from its loading to its unloading, into a bag that `run_job --bag`
@@ -24,13 +26,13 @@ public:
 
 private:
   void onInit() override {
-    const auto file = getPrivateNodeHandle().param<std::string>("file", "");
+    const auto file = scan_to_path_ros::parameter<std::string>(getPrivateNodeHandle(), "file", "");
     bag_.open(file, rosbag::bagmode::Write);
     bag_.setCompression(rosbag::compression::LZ4);
     record<sensor_msgs::JointState>("joint_states", "joint_states");
     record<scan_to_path::ScanSamples>("scan_samples", "scan_samples");
     record<tf2_msgs::TFMessage>("/tf_static", "tf_static");
-    if (getPrivateNodeHandle().param("tf", false)) record<tf2_msgs::TFMessage>("/tf", "tf");
+    if (scan_to_path_ros::parameter(getPrivateNodeHandle(), "tf", false)) record<tf2_msgs::TFMessage>("/tf", "tf");
   }
 
   /// The queue has no end; one queue keeps the order.

@@ -34,8 +34,9 @@ class SurfaceFitter : public nodelet::Nodelet {
     stage_->run(info->header, [&](const scan_to_path::Progress& progress) {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
       const auto scanned = scan_to_path_ros::scanStage(cloud, *info);
-      const auto fitted = scan_to_path::pipeline::fitStage(scanned, options.scan, options.fit, options.report,
-                                                           getPrivateNodeHandle().param("threads", 0), progress);
+      const int threads = scan_to_path_ros::parameter(getPrivateNodeHandle(), "threads", 0);
+      const auto fitted = scan_to_path::pipeline::fitStage(scanned, options.scan, options.fit, options.report, threads,
+                                                           progress);
       fitted_.publish(boost::make_shared<scan_to_path::FittedScan>(scan_to_path_ros::toMsg(fitted, info->header)));
     });
   }

@@ -45,6 +45,8 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     diagnostics_->setHardwareID("none");
     diagnostics_->add("playback", this, &TrajectoryPlayer::diagnose);
     setActive(false);
+    options();  // so that they can be seen before the first playback
+    isRealRobot();
   }
 
   void takeTrajectory(const trajectory_msgs::JointTrajectoryConstPtr& msg) { trajectory_ = msg; }
@@ -92,19 +94,24 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     setActive(false);
   }
 
+  bool isRealRobot() { return scan_to_path_ros::parameter(getPrivateNodeHandle(), "real_robot", false); }
+
+  scan_to_path_ros::PlaybackOptions options() {
+    scan_to_path_ros::PlaybackOptions options;
+    options.speed = scan_to_path_ros::parameter(getPrivateNodeHandle(), "speed", options.speed);
+    options.rate = scan_to_path_ros::parameter(getPrivateNodeHandle(), "rate", options.rate);
+    return options;
+  }
+
   void begin() {
-    ros::NodeHandle& own = getPrivateNodeHandle();
-    if (own.param("real_robot", false))
+    if (isRealRobot())
       throw scan_to_path::InputError("a real robot publishes joint_states; play back with sim:=true");
     if (!trajectory_)
       throw scan_to_path::InputError("no trajectory has come on " + getNodeHandle().resolveName("joint_trajectory"));
     if ((ros::WallTime::now() - scanned_).toSec() < late) throw scan_to_path::InputError("a scan is running");
-    scan_to_path_ros::PlaybackOptions options;
-    options.speed = own.param("speed", options.speed);
-    options.rate = own.param("rate", options.rate);
     // A moment for the robot that stood still to fall silent.
     const ros::Time first = ros::Time::now() + ros::Duration(5 * period);
-    const scan_to_path_ros::JointPlayback playback(*trajectory_, options, first);
+    const scan_to_path_ros::JointPlayback playback(*trajectory_, options(), first);
     comparison_.reset();
     if (isPlanned()) {
       comparison_ = std::make_unique<scan_to_path_ros::PlaybackComparison>(*driven_, *plan_, playback);

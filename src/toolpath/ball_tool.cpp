@@ -4,14 +4,13 @@
 
 #include <cmath>
 
-#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::toolpath {
 namespace {
 
-constexpr double largest_angle = 80.0 * pi / 180.0;
+constexpr double largest_angle = 80.0 * M_PI / 180.0;
 
 void checkAngle(const char* name, double angle) {
   if (!(std::abs(angle) <= largest_angle)) {

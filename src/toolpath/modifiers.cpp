@@ -6,14 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/toolpath/contact_frame.h"
 
 namespace scan_to_path::toolpath {
 namespace {
 
-constexpr double largest_turn = pi / 4.0;  // per waypoint of a link [rad]
+constexpr double largest_turn = M_PI / 4.0;  // per waypoint of a link [rad]
 
 Waypoint airWaypoint(const Frame& pose, double feed) {
   Waypoint waypoint;
@@ -103,11 +102,11 @@ double heightBelow(const std::vector<RowShadow>& shadows, const Vector3& up, con
 /// The turn from one attitude to the other; a wide one by the side on which x passes the direction of travel.
 Eigen::AngleAxisd turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Vector3& travel) {
   Eigen::AngleAxisd turn(Eigen::Matrix3d(from.transpose() * to));
-  if (turn.angle() <= 0.5 * pi) return turn;
+  if (turn.angle() <= 0.5 * M_PI) return turn;
   const Eigen::AngleAxisd half(0.5 * turn.angle(), turn.axis());
   const Vector3 x_half_way = from * (half * Vector3::UnitX());
   if (x_half_way.dot(travel) >= 0.0) return turn;
-  return Eigen::AngleAxisd(2.0 * pi - turn.angle(), -turn.axis());
+  return Eigen::AngleAxisd(2.0 * M_PI - turn.angle(), -turn.axis());
 }
 
 /// Straight across from one pose to the other while the tool turns; without `from` itself.

@@ -22,7 +22,6 @@ namespace {
 using test::expectInputError;
 using test::marchedHit;
 
-constexpr double pi = 3.14159265358979323846;
 const double nowhere = std::nan("");
 
 /// A world, and the same surface told in two other ways that share no code with it.
@@ -45,12 +44,12 @@ std::function<double(const Vector3&)> overSquare(double low_x, double high_x, do
 }
 
 double sHeight(double x, double y) {
-  return 0.020 * std::sin(2 * pi * (x - 0.12) / 0.24) + 0.004 * std::cos(pi * (y - 0.08) / 0.16) +
-         0.003 * std::sin(2 * pi * x / 0.24) * std::sin(pi * y / 0.16);
+  return 0.020 * std::sin(2 * M_PI * (x - 0.12) / 0.24) + 0.004 * std::cos(M_PI * (y - 0.08) / 0.16) +
+         0.003 * std::sin(2 * M_PI * x / 0.24) * std::sin(M_PI * y / 0.16);
 }
 
 Vector3 onCircle(double radius, double u) {
-  return {radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), 0.0};
+  return {radius * std::cos(2 * M_PI * u), radius * std::sin(2 * M_PI * u), 0.0};
 }
 
 std::vector<World> worlds() {
@@ -59,7 +58,7 @@ std::vector<World> worlds() {
        [](double u, double v) { return Vector3(u - 0.5, v - 0.5, 0.0); }, {0, 0, 0}, 0.2, 0.0},
       {"Sphere", std::make_shared<Sphere>(0.1), [](const Vector3& p) { return p.norm() - 0.1; },
        [](double u, double v) {
-         return Vector3(std::sin(pi * v) * onCircle(0.1, u) + Vector3(0, 0, 0.1 * std::cos(pi * v)));
+         return Vector3(std::sin(M_PI * v) * onCircle(0.1, u) + Vector3(0, 0, 0.1 * std::cos(M_PI * v)));
        },
        {0, 0, 0}, 0.1, 10.0},
       {"Cylinder", std::make_shared<Cylinder>(0.05),
@@ -68,7 +67,7 @@ std::vector<World> worlds() {
       {"Torus", std::make_shared<Torus>(0.1, 0.03),
        [](const Vector3& p) { return std::hypot(std::hypot(p.x(), p.y()) - 0.1, p.z()) - 0.03; },
        [](double u, double v) {
-         return Vector3(onCircle(0.1 + 0.03 * std::cos(2 * pi * v), u) + Vector3(0, 0, 0.03 * std::sin(2 * pi * v)));
+         return Vector3(onCircle(0.1 + 0.03 * std::cos(2 * M_PI * v), u) + Vector3(0, 0, 0.03 * std::sin(2 * M_PI * v)));
        },
        {0, 0, 0}, 0.13, 1 / 0.03},
       {"FlatPart", std::make_shared<FlatPart>(Rectangle{-0.1, 0.1, -0.05, 0.05}),

@@ -20,7 +20,6 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Ray;
 
-constexpr double pi = 3.14159265358979323846;
 
 /// Möller and Trumbore's test, another algorithm than the tree's; infinity for a miss.
 double rayTriangle(const TriangleMesh& mesh, std::size_t triangle, const Ray& ray) {
@@ -81,9 +80,9 @@ TriangleMesh soup(Random& random, int triangles) {
 TriangleMesh sphereMesh(double radius, std::uint32_t cells) {
   return test::gridMesh(cells, cells, [radius](double u, double v) -> Vector3d {
     // The seam and the poles are closed exactly, not to rounding.
-    const double longitude = 2 * pi * (u == 1.0 ? 0.0 : u);
-    const double sine = v == 0.0 || v == 1.0 ? 0.0 : std::sin(pi * v);
-    return radius * Vector3d(sine * std::cos(longitude), sine * std::sin(longitude), -std::cos(pi * v));
+    const double longitude = 2 * M_PI * (u == 1.0 ? 0.0 : u);
+    const double sine = v == 0.0 || v == 1.0 ? 0.0 : std::sin(M_PI * v);
+    return radius * Vector3d(sine * std::cos(longitude), sine * std::sin(longitude), -std::cos(M_PI * v));
   });
 }
 

@@ -4,7 +4,6 @@
 
 namespace scan_to_path {
 
-inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double right_angle = 1.5707963267948966;  ///< [rad]
 inline constexpr double degrees_per_radian = 57.29577951308232;
 

@@ -11,7 +11,8 @@
 
 namespace scan_to_path::robot {
 
-/// What the robot description cannot say: which of the controller's axes turns with more than one joint. The default is
+/// What the robot description cannot say: which of the controller's axes turns with more than one joint. One axis that
+/// is a plain sum of joints is all that there is; gears between wrist axes are not of this form. The default is
 /// the shipped arm's, whose parallelogram keeps the upper arm's slope when axis 2 moves (ABB, IRB 2400 product
 /// specification: axis 3 from -60 to +65 degrees against the horizontal).
 struct AxisCouplingOptions {
