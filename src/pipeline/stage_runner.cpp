@@ -15,6 +15,7 @@ void FileRunner::read(const Progress& progress) {
   input_.kind = request_.input_kind ? *request_.input_kind : detectInput(content_, input_.name);
   input_.units = request_.units.value_or(Units::m);
   if (input_.kind != InputKind::samples) return;
+  if (request_.units) throw InputError("--units: " + input_.name + " is a sample log, which has its own units");
   log_ = scan::parseSampleLog(content_, input_.name);
   content_ = std::string();
 }

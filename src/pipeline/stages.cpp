@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
@@ -26,6 +27,37 @@ double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
     if (isLoss(entry.reason)) lost += entry.count;
   }
   return lost + used == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(lost + used);
+}
+
+/// A plate with a pad on it looks like a table with a part on it.
+void noteBackground(FitStage& stage) {
+  const auto background = std::find_if(stage.scan.dropped.begin(), stage.scan.dropped.end(),
+                                       [](const auto& dropped) { return dropped.reason == "background"; });
+  if (background == stage.scan.dropped.end() || 2 * background->count <= stage.scan.samples_in) return;
+  stage.notes.push_back(std::to_string(background->count) + " of " + std::to_string(stage.scan.samples_in) +
+                        " samples were taken for a table behind the part: if it is the part itself, set "
+                        "scan.background.mode=none");
+}
+
+/// What was nearer than the sensor sees may reach as high as the sensor went. A single beam of that kind is an error
+/// of the sensor's, as spikes are; three within a square of a millimetre are not.
+void addTooNear(const scan::NoReturns& no_returns, scan::FittedScan& scan) {
+  constexpr double side = 0.001;     // [m]
+  constexpr std::size_t least = 3;
+  const geometry::Frame T_scan_cloud = scan.T_cloud_scan.inverse();
+  std::map<std::pair<double, double>, scan::Obstacles> squares;
+  for (const auto& beam : no_returns.beams) {
+    if (!beam.is_too_near) continue;
+    Vector3 top = T_scan_cloud * beam.far_end.cast<double>();
+    top.z() += no_returns.range + no_returns.nearest;
+    squares[{std::floor(top.x() / side), std::floor(top.y() / side)}].push_back(top.cast<float>());
+  }
+  scan::Obstacles tops;
+  for (const auto& [square, points] : squares) {
+    if (points.size() >= least) tops.insert(tops.end(), points.begin(), points.end());
+  }
+  tops = scan::highestPoints(tops, scan::obstacle_spacing);
+  scan.obstacles.insert(scan.obstacles.end(), tops.begin(), tops.end());
 }
 
 Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
@@ -124,6 +156,7 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   const scan::SampleRows rows =
       scan::cleanRows(*scanned.cloud, scanned.mean_beam, scan_options.cloud, threads, progress);
   stage.scan = scan::fitRows(rows, fit_options, threads, progress);
+  addTooNear(scanned.no_returns, stage.scan);
   const scan::FittedScan& scan = stage.scan;
   stage.report = {"fit", scan.samples_in, scan.samples_used, scan.dropped};
   double squares = 0.0;
@@ -139,6 +172,7 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   stage.accuracy.push_back({"between_rows_largest", scan.between_rows_largest, "m"});
   std::vector<scan::Dropped> dropped = scanned.report.dropped;
   dropped.insert(dropped.end(), scan.dropped.begin(), scan.dropped.end());
+  noteBackground(stage);
   stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
   // The filter cuts a row at a gap of max_gap, and of five samples at least.

@@ -61,23 +61,12 @@ std::vector<Row> partRows(const scan::SampleRows& rows, double shortest_gap, Len
   return found;
 }
 
-/// What rows are apart where none is missing.
-double usualDistance(const std::vector<Row>& rows) {
-  std::vector<double> distances;
-  for (std::size_t i = 1; i < rows.size(); ++i) distances.push_back(rows[i].y - rows[i - 1].y);
-  if (distances.empty()) return 0.0;
-  // Rasters may alternate between two pitches: the larger one counts.
-  std::sort(distances.begin(), distances.end());
-  return distances[3 * (distances.size() - 1) / 4];
-}
-
 /// Rows between two others that have nothing of the part where both of these have.
 void addMissingRows(const std::vector<Row>& rows, double usual, double spacing, Lengths& lengths) {
-  constexpr double largest_usual = 2.5;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     const double distance = rows[i + 1].y - rows[i].y;
     const double overlap = std::min(rows[i].end, rows[i + 1].end) - std::max(rows[i].begin, rows[i + 1].begin);
-    if (!(distance > largest_usual * usual) || overlap <= 0.0) continue;
+    if (!(distance > scan::largest_usual_distance * usual) || overlap <= 0.0) continue;
     const double length = overlap * (distance / usual - 1.0);
     const bool rising = rows[i + 1].first_index > rows[i].last_index;
     addUnseen(length, rising ? rows[i].last_index : rows[i + 1].last_index,
@@ -116,7 +105,7 @@ UnseenShare unseenShare(const scan::ScanCloud& cloud, const scan::SampleRows& ro
                         double shortest_gap) {
   Lengths lengths;
   const std::vector<Row> part = partRows(rows, shortest_gap, lengths);
-  const double usual = usualDistance(part);
+  const double usual = scan::usualRowDistance(rows);
   addMissingRows(part, usual, rows.spacing, lengths);
   if (!no_returns.beams.empty() && usual > 0.0) {
     const auto is_inside = [&](double x, double y) { return isInside(part, usual, x, y); };

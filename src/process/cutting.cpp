@@ -91,6 +91,19 @@ std::vector<Value> withLinksBetween(const ToolPath& path, const std::vector<Valu
   return values;
 }
 
+/// The scan's obstacles as what links keep their clearance over; some at a time, so that most are passed over at once.
+std::vector<Segment> obstaclesBelow(const scan::FittedScan& scan) {
+  constexpr std::size_t at_a_time = 500;
+  std::vector<Segment> below;
+  for (std::size_t i = 0; i < scan.obstacles.size(); ++i) {
+    if (i % at_a_time == 0) below.emplace_back();
+    Waypoint waypoint;
+    waypoint.pose.translation() = scan.T_cloud_scan * scan.obstacles[i].cast<double>();
+    below.back().waypoints.push_back(waypoint);
+  }
+  return below;
+}
+
 std::vector<Segment> rowsOf(const ToolPath& path) {
   std::vector<Segment> rows;
   std::copy_if(path.segments.begin(), path.segments.end(), std::back_inserter(rows), toolpath::isRow);
@@ -194,7 +207,9 @@ private:
   }
 
   /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.
-  void join(PlannedPath& planned, const scan::FittedScan& scan, const std::vector<Segment>& also_below) const {
+  void join(PlannedPath& planned, const scan::FittedScan& scan, std::vector<Segment> also_below) const {
+    const std::vector<Segment> obstacles = obstaclesBelow(scan);
+    also_below.insert(also_below.end(), obstacles.begin(), obstacles.end());
     planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
     const Vector3 up = scan.T_cloud_scan.linear().col(2);
     planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, linksOverStock(), also_below);
@@ -217,6 +232,13 @@ void validateCutting(const CuttingOptions& options, const std::string& path) {
   if (options.scallop_height >= options.ball_radius) {
     std::ostringstream text;
     text << path << ".scallop_height is " << options.scallop_height << " m, must be below the ball radius "
+         << options.ball_radius << " m";
+    throw InputError(text.str());
+  }
+  // A ball cuts with its lower half; how deep its flutes reach nobody has said.
+  if (std::min(options.depth_of_cut, options.stock) > options.ball_radius) {
+    std::ostringstream text;
+    text << path << ".depth_of_cut is " << options.depth_of_cut << " m, must be at most the ball radius "
          << options.ball_radius << " m";
     throw InputError(text.str());
   }

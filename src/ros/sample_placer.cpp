@@ -194,7 +194,7 @@ core::pipeline::ScanStage SamplePlacer::take() {
   stage.report = {"scan", samples_in_, cloud_.points.size(), dropped_};
   stage.mean_beam = core::geometry::roundedDirection(beam_sum_);
   stage.cloud = std::make_shared<const core::scan::ScanCloud>(std::move(cloud_));
-  stage.no_returns = {std::move(no_returns_), options_.range_max - options_.range_min};
+  stage.no_returns = {std::move(no_returns_), options_.range_max - options_.range_min, options_.range_min};
   restart(options_);
   return stage;
 }

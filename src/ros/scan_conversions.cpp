@@ -68,21 +68,35 @@ std::vector<Eigen::Vector2d> fromPolygon(const core::OutlinePolygon& msg) {
   return polygon;
 }
 
+geometry_msgs::Point32 toPoint32(const Eigen::Vector3f& p) {
+  geometry_msgs::Point32 msg;
+  msg.x = p.x();
+  msg.y = p.y();
+  msg.z = p.z();
+  return msg;
+}
+
+Eigen::Vector3f fromPoint32(const geometry_msgs::Point32& msg, const char* what, std::size_t index) {
+  const Eigen::Vector3f p(msg.x, msg.y, msg.z);
+  if (!p.allFinite()) throw InputError(what + ("[" + std::to_string(index)) + "] is not finite");
+  return p;
+}
+
 core::scan::NoReturns noReturns(const core::ScanInfo& info) {
   if (info.no_return_ends.size() != info.no_return_is_too_near.size()) {
     throw InputError("scan_info: " + std::to_string(info.no_return_ends.size()) + " no_return_ends and " +
                      std::to_string(info.no_return_is_too_near.size()) + " no_return_is_too_near, must be as many");
   }
-  if (!(info.sensor_range >= 0.0 && std::isfinite(info.sensor_range))) {
-    throw InputError("scan_info", "sensor_range", std::to_string(info.sensor_range) + " m", "0 or more");
+  for (const auto& [name, value] : {std::pair("sensor_range", info.sensor_range),
+                                    std::pair("sensor_nearest", info.sensor_nearest)}) {
+    if (!(value >= 0.0 && std::isfinite(value))) throw InputError("scan_info", name, std::to_string(value) + " m", "0 or more");
   }
   core::scan::NoReturns returns;
   returns.range = info.sensor_range;
+  returns.nearest = info.sensor_nearest;
   for (std::size_t i = 0; i < info.no_return_ends.size(); ++i) {
     const auto& end = info.no_return_ends[i];
-    const Eigen::Vector3f far_end(end.x, end.y, end.z);
-    if (!far_end.allFinite()) throw InputError("scan_info: no_return_ends[" + std::to_string(i) + "] is not finite");
-    returns.beams.push_back({far_end, info.no_return_is_too_near[i] != 0});
+    returns.beams.push_back({fromPoint32(end, "scan_info: no_return_ends", i), info.no_return_is_too_near[i] != 0});
   }
   return returns;
 }
@@ -94,14 +108,11 @@ core::ScanInfo toInfo(const core::pipeline::ScanStage& stage, const std_msgs::He
   msg.header = header;
   msg.mean_beam = toVector(stage.mean_beam);
   for (const auto& beam : stage.no_returns.beams) {
-    geometry_msgs::Point32 end;
-    end.x = beam.far_end.x();
-    end.y = beam.far_end.y();
-    end.z = beam.far_end.z();
-    msg.no_return_ends.push_back(end);
+    msg.no_return_ends.push_back(toPoint32(beam.far_end));
     msg.no_return_is_too_near.push_back(static_cast<std::uint8_t>(beam.is_too_near));
   }
   msg.sensor_range = stage.no_returns.range;
+  msg.sensor_nearest = stage.no_returns.nearest;
   msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   return msg;
 }
@@ -131,6 +142,7 @@ core::FittedScan toMsg(const core::pipeline::FitStage& stage, const std_msgs::He
   msg.surface = toMsg(scan.surface);
   msg.outline =
       converted<core::OutlinePolygon>(scan.outline.polygons, [](const auto& polygon) { return toPolygon(polygon); });
+  msg.obstacles = converted<geometry_msgs::Point32>(scan.obstacles, [](const auto& p) { return toPoint32(p); });
   msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   msg.samples_in = scan.samples_in;
   msg.samples_used = scan.samples_used;
@@ -150,6 +162,9 @@ core::pipeline::FitStage fromMsg(const core::FittedScan& msg) {
   scan.surface = fromMsg(msg.surface);
   scan.outline.polygons =
       converted<std::vector<Eigen::Vector2d>>(msg.outline, [](const auto& polygon) { return fromPolygon(polygon); });
+  for (std::size_t i = 0; i < msg.obstacles.size(); ++i) {
+    scan.obstacles.push_back(fromPoint32(msg.obstacles[i], "fitted_scan: obstacles", i));
+  }
   stage.report = stageReport(msg.report);
   stage.accuracy = accuracy(msg.report);
   stage.notes = msg.report.notes;

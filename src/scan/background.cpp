@@ -159,9 +159,11 @@ void keepAbove(const RowPiece& piece, const BackgroundPlane& plane, const Backgr
     const bool is_background = onBackground(plane, piece, begin, options.tolerance);
     std::size_t end = begin + 1;
     while (end < n && onBackground(plane, piece, end, options.tolerance) == is_background) ++end;
+    const bool is_short = piece.x[end - 1] - piece.x[begin] < options.min_length;
+    if (is_background || is_short) addObstacles(piece, begin, end, kept.obstacles);
     if (is_background) {
       background += end - begin;
-    } else if (piece.x[end - 1] - piece.x[begin] < options.min_length) {
+    } else if (is_short) {
       addDropped(kept.dropped, "short piece", end - begin);
     } else {
       kept.pieces.push_back(subPiece(piece, begin, end));
@@ -196,7 +198,8 @@ SampleRows removeBackground(SampleRows rows, const BackgroundOptions& options) {
   rows.pieces.clear();
   for (const RowPiece& piece : pieces) keepAbove(piece, *plane, options, rows);
   if (rows.pieces.empty()) {
-    throw InputError("scan cloud", "number of samples above the background", "0", "some: see scan.background");
+    throw InputError("scan cloud", "number of samples above the background", "0",
+                     "some: without a table set scan.background.mode=none");
   }
   return rows;
 }

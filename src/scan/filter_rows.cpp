@@ -34,6 +34,7 @@ struct Filtered {
   std::size_t spikes = 0;
   std::size_t edges = 0;
   std::size_t shorts = 0;
+  Obstacles obstacles;
 };
 
 bool isJump(const RowPiece& piece, std::size_t a, std::size_t b, const FilterOptions& options, double steepness) {
@@ -183,6 +184,7 @@ void finishRow(Filtered& row, const PieceResiduals& residuals, double limit, dou
                           piece.x.back() - piece.x.front() < options.min_length;
     if (is_short) {
       row.shorts += piece.size();
+      addObstacles(piece, 0, piece.size(), row.obstacles);
     } else {
       row.pieces.push_back(std::move(piece));
     }
@@ -217,6 +219,7 @@ SampleRows filterRows(SampleRows rows, const FilterOptions& options, int threads
     addDropped(rows.dropped, "spike", row.spikes);
     addDropped(rows.dropped, "spike or edge", row.edges);
     addDropped(rows.dropped, "short piece", row.shorts);
+    rows.obstacles.insert(rows.obstacles.end(), row.obstacles.begin(), row.obstacles.end());
     for (RowPiece& piece : row.pieces) rows.pieces.push_back(std::move(piece));
   }
   return rows;

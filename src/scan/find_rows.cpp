@@ -47,6 +47,33 @@ double orderRows(const Track& track, std::vector<Run>& runs, double window) {
   return pitch;
 }
 
+/// What lies between runs, which are in measured order.
+std::vector<Stretch> stretchesBetween(const std::vector<Run>& runs, std::size_t samples) {
+  std::vector<Stretch> between;
+  std::size_t from = 0;
+  for (const Run& run : runs) {
+    if (run.begin > from) between.push_back({from, run.begin});
+    from = std::max(from, run.end);
+  }
+  if (samples > from) between.push_back({from, samples});
+  return between;
+}
+
+/// Samples of stretches that are no turns from row to row: at least half as many as on a row, over several rows.
+std::size_t crossingSamples(const Track& track, const std::vector<Stretch>& between, double samples_on_row,
+                            double pitch) {
+  constexpr double several = 5.0;
+  std::size_t crossing = 0;
+  for (const Stretch& stretch : between) {
+    const auto first = track.y.begin() + static_cast<std::ptrdiff_t>(stretch.begin);
+    const auto last = track.y.begin() + static_cast<std::ptrdiff_t>(stretch.end);
+    const auto [low, high] = std::minmax_element(first, last);
+    const std::size_t samples = stretch.end - stretch.begin;
+    if (*high - *low > several * pitch && static_cast<double>(samples) > 0.5 * samples_on_row) crossing += samples;
+  }
+  return crossing;
+}
+
 /// The beam frame turned about z so that `axis` becomes x, and moved to `origin`, given in the turned axes.
 Frame scanFrame(const Frame& T_cloud_beam, const Vector2& axis, const Vector3& origin) {
   Frame T_beam_scan = Frame::Identity();
@@ -78,12 +105,17 @@ SampleRows findRows(const ScanCloud& cloud, const Vector3& mean_beam, const RowO
   std::vector<Run> runs = findRuns(track, anchors, lines_given);
   keepLongRuns(runs, options);
   turnAlongFirstRow(track, axis, runs);
+  const std::vector<Stretch> between = stretchesBetween(runs, track.size());
   rows.pitch = orderRows(track, runs, window);
 
   const Vector3 origin = middle(track);
   rows.T_cloud_scan = geometry::snapped(scanFrame(T_cloud_beam, axis, origin));
   rows.pieces = makePieces(track, runs, origin);
-  addDropped(rows.dropped, "turn", track.size() - sampleCount(rows));
+  const std::size_t on_rows = sampleCount(rows);
+  const double samples_on_row = static_cast<double>(on_rows) / static_cast<double>(runs.size());
+  const std::size_t crossing = crossingSamples(track, between, samples_on_row, rows.pitch);
+  addDropped(rows.dropped, "turn", track.size() - on_rows - crossing);
+  addDropped(rows.dropped, "across the rows", crossing);
   return rows;
 }
 

@@ -43,7 +43,11 @@ std::vector<std::vector<Span>> rowSpans(const SampleRows& rows) {
   return spans;
 }
 
-bool touch(const Span& a, const Span& b) { return std::min(a.end, b.end) > std::max(a.begin, b.begin); }
+/// True when the spans overlap and no row is missing between them.
+bool overlap(const Span& a, const Span& b, double largest_distance) {
+  const double distance = std::abs(0.5 * (b.y_begin + b.y_end) - 0.5 * (a.y_begin + a.y_end));
+  return std::min(a.end, b.end) > std::max(a.begin, b.begin) && distance <= largest_distance;
+}
 
 /// Whether a straight edge between the rows may join two ends: one that runs nearly along the rows would take in a
 /// long stretch that only one of the rows has seen.
@@ -56,7 +60,10 @@ bool joinsStraight(double x_lower, double y_lower, double x_upper, double y_uppe
 /// have to themselves joins straight; where one span meets several, or ends far beyond the other, it is cut down to
 /// the overlap.
 std::vector<Edge> quadrilateral(int row, const std::vector<Span>& lower, std::size_t a, const std::vector<Span>& upper,
-                                std::size_t b) {
+                                std::size_t b, double largest_distance) {
+  const auto touch = [largest_distance](const Span& lower, const Span& upper) {
+    return overlap(lower, upper, largest_distance);
+  };
   const bool left_far = !joinsStraight(lower[a].begin, lower[a].y_begin, upper[b].begin, upper[b].y_begin);
   const bool right_far = !joinsStraight(lower[a].end, lower[a].y_end, upper[b].end, upper[b].y_end);
   const bool left_shared =
@@ -143,13 +150,15 @@ std::vector<Vector2> polygonOf(const std::vector<Corner>& loop, const std::vecto
 
 Outline traceOutline(const SampleRows& rows) {
   const auto spans = rowSpans(rows);
+  // What nobody has seen is not the part: where rows are missing it ends.
+  const double largest_distance = largest_usual_distance * usualRowDistance(rows);
   std::vector<std::vector<Edge>> along(spans.size());
   std::vector<Edge> edges;
   for (std::size_t r = 0; r + 1 < spans.size(); ++r) {
     for (std::size_t a = 0; a < spans[r].size(); ++a) {
       for (std::size_t b = 0; b < spans[r + 1].size(); ++b) {
-        if (!touch(spans[r][a], spans[r + 1][b])) continue;
-        const auto quad = quadrilateral(static_cast<int>(r), spans[r], a, spans[r + 1], b);
+        if (!overlap(spans[r][a], spans[r + 1][b], largest_distance)) continue;
+        const auto quad = quadrilateral(static_cast<int>(r), spans[r], a, spans[r + 1], b, largest_distance);
         along[r].push_back(quad[0]);
         edges.push_back(quad[1]);
         along[r + 1].push_back(quad[2]);

@@ -22,6 +22,29 @@ void addDropped(std::vector<Dropped>& dropped, const std::string& reason, std::s
   }
 }
 
+double usualRowDistance(const SampleRows& rows) {
+  std::vector<double> places;  // of each row: the mean of its pieces' middles
+  for (std::size_t begin = 0, end = 0; begin < rows.pieces.size(); begin = end) {
+    double sum = 0.0;
+    for (; end < rows.pieces.size() && rows.pieces[end].row == rows.pieces[begin].row; ++end) {
+      sum += rows.pieces[end].y[rows.pieces[end].size() / 2];
+    }
+    places.push_back(sum / static_cast<double>(end - begin));
+  }
+  std::vector<double> distances;
+  for (std::size_t i = 1; i < places.size(); ++i) distances.push_back(places[i] - places[i - 1]);
+  if (distances.empty()) return 0.0;
+  std::sort(distances.begin(), distances.end());
+  return distances[3 * (distances.size() - 1) / 4];
+}
+
+void addObstacles(const RowPiece& piece, std::size_t begin, std::size_t end, Obstacles& obstacles) {
+  for (std::size_t i = begin; i < end; ++i) {
+    obstacles.emplace_back(static_cast<float>(piece.x[i]), static_cast<float>(piece.y[i]),
+                           static_cast<float>(piece.z[i]));
+  }
+}
+
 RowPiece subPiece(const RowPiece& piece, std::size_t begin, std::size_t end) {
   RowPiece part;
   part.row = piece.row;

@@ -169,6 +169,7 @@ void joinBlocks(const std::vector<Block>& blocks, scan::ScanCloud& cloud) {
 scan::NoReturns joinedNoReturns(const std::vector<Block>& blocks, const PointLaserOptions& laser) {
   scan::NoReturns joined;
   joined.range = laser.distance_max - laser.distance_min;
+  joined.nearest = laser.distance_min;
   for (const auto& block : blocks) {
     joined.beams.insert(joined.beams.end(), block.no_returns.begin(), block.no_returns.end());
   }

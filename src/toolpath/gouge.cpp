@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "line_points.h"
+#include "solid_points.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/toolpath/ball_tool.h"
@@ -41,7 +41,13 @@ GougeCheck::GougeCheck(const scan::FittedScan& scan, double ball_radius, double 
   spacing_ = radius_ / cells_per_radius;
   sampleHeights();
   findTops();
-  if (target == GougeTarget::surface_and_lines) lines_ = std::make_unique<const LinePoints>(scan, line_spacing * spacing_);
+  const double side = static_cast<double>(block_side) * spacing_;
+  if (target == GougeTarget::surface_and_lines) {
+    lines_ = std::make_unique<const SolidPoints>(pointsOnLines(scan, line_spacing * spacing_), side);
+  }
+  std::vector<Vector3> obstacles;
+  for (const auto& point : scan.obstacles) obstacles.push_back(point.cast<double>());
+  obstacles_ = std::make_unique<const SolidPoints>(obstacles, side);
 }
 
 GougeCheck::~GougeCheck() = default;
@@ -154,26 +160,34 @@ Vector3 GougeCheck::centreAt(const Waypoint& waypoint) const {
   return ballCentre(scan_.T_cloud_scan.inverse() * waypoint.pose, radius_);
 }
 
-/// The point of the part that is deepest in a ball; nothing when none is in it.
-std::optional<Vector3> GougeCheck::deepest(const Vector3& centre, double radius, const Vector3* contact) const {
-  std::optional<Vector3> found;
+/// The point that is deepest in a ball; nothing when none is in it.
+std::optional<GougeCheck::Deepest> GougeCheck::deepest(const Vector3& centre, double radius,
+                                                       const Vector3* contact) const {
+  std::optional<Deepest> found;
+  double least = radius;
+  const auto take = [&](const std::optional<Vector3>& point, bool is_part) {
+    if (!point) return;
+    found = Deepest{*point, is_part};
+    least = std::min(least, (*point - centre).norm());
+  };
   const double slack = spacing_ * spacing_ / radius_;
-  if (const auto node = nearestNode(centre, radius + slack, contact)) found = refined(centre, *node).point;
-  if (lines_ == nullptr) return found;
-  const double least = found ? (*found - centre).norm() : radius;
-  const auto on_line = lines_->nearest(centre, least);
-  return on_line ? on_line : found;
+  if (const auto node = nearestNode(centre, radius + slack, contact)) take(refined(centre, *node).point, true);
+  if (lines_ != nullptr) take(lines_->nearest(centre, least), true);
+  take(obstacles_->nearest(centre, least), false);
+  return found;
 }
 
 bool GougeCheck::entersAt(const Vector3& centre, double radius, const Vector3* contact,
                           WaypointVerdict& verdict) const {
-  const auto point = deepest(centre, radius, contact);
-  if (!point || (*point - centre).norm() >= radius - tolerance_) return false;
-  const Vector3 place = scan_.T_cloud_scan * *point;
-  verdict.margin = (*point - centre).norm() - radius;
-  verdict.reason = "the ball goes " + millimetres(-verdict.margin) + " into the surface at (" + fixed(place.x(), 4) +
-                   ", " + fixed(place.y(), 4) + ", " + fixed(place.z(), 4) + ")";
-  verdict.remedy = "use a smaller ball, or keep the rows off this place";
+  const auto found = deepest(centre, radius, contact);
+  if (!found || (found->point - centre).norm() >= radius - tolerance_) return false;
+  const Vector3 place = scan_.T_cloud_scan * found->point;
+  verdict.margin = (found->point - centre).norm() - radius;
+  verdict.reason = "the ball goes " + millimetres(-verdict.margin) +
+                   (found->is_part ? " into the surface at (" : " into what stands there beside the fit at (") +
+                   fixed(place.x(), 4) + ", " + fixed(place.y(), 4) + ", " + fixed(place.z(), 4) + ")";
+  verdict.remedy = found->is_part ? "use a smaller ball, or keep the rows off this place"
+                                  : "take it away and scan again, or keep rows and links off this place";
   return true;
 }
 

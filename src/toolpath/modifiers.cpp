@@ -99,20 +99,32 @@ double heightBelow(const std::vector<RowShadow>& shadows, const Vector3& up, con
   return height;
 }
 
-/// The turn from one attitude to the other; a wide one by the side on which x passes the direction of travel.
-Eigen::AngleAxisd turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Vector3& travel) {
-  Eigen::AngleAxisd turn(Eigen::Matrix3d(from.transpose() * to));
-  if (turn.angle() <= 0.5 * M_PI) return turn;
-  const Eigen::AngleAxisd half(0.5 * turn.angle(), turn.axis());
-  const Vector3 x_half_way = from * (half * Vector3::UnitX());
-  if (x_half_way.dot(travel) >= 0.0) return turn;
+Eigen::AngleAxisd otherWay(const Eigen::AngleAxisd& turn) {
   return Eigen::AngleAxisd(2.0 * M_PI - turn.angle(), -turn.axis());
 }
 
+/// Angle of a turn about `up`, given the attitude it starts from [rad].
+double angleAbout(const Vector3& up, const Eigen::Matrix3d& from, const Eigen::AngleAxisd& turn) {
+  return turn.angle() * up.dot(from * turn.axis());
+}
+
+/// The turn from one attitude to the other; a wide one by the side on which x passes the direction of travel, unless
+/// it adds to the more than half a turn by which the tool has turned about `up` already.
+Eigen::AngleAxisd turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Vector3& travel,
+                              const Vector3& up, double turned) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(from.transpose() * to));
+  if (turn.angle() <= 0.5 * M_PI) return turn;
+  const Eigen::AngleAxisd half(0.5 * turn.angle(), turn.axis());
+  const Vector3 x_half_way = from * (half * Vector3::UnitX());
+  const Eigen::AngleAxisd by_travel = x_half_way.dot(travel) >= 0.0 ? turn : otherWay(turn);
+  const double after = turned + angleAbout(up, from, by_travel);
+  return std::abs(after) > 1.5 * M_PI && std::abs(after) > std::abs(turned) ? otherWay(by_travel) : by_travel;
+}
+
 /// Straight across from one pose to the other while the tool turns; without `from` itself.
-void appendCrossing(std::vector<Waypoint>& waypoints, const Frame& from, const Frame& to, double feed) {
+void appendCrossing(std::vector<Waypoint>& waypoints, const Frame& from, const Frame& to,
+                    const Eigen::AngleAxisd& turn, double feed) {
   const Vector3 travel = to.translation() - from.translation();
-  const Eigen::AngleAxisd turn = turnBetween(from.linear(), to.linear(), travel);
   const int steps = std::max(1, static_cast<int>(std::ceil(turn.angle() / largest_turn - 1e-9)));
   for (int i = 1; i < steps; ++i) {
     const double share = static_cast<double>(i) / steps;
@@ -141,8 +153,9 @@ public:
 
   std::vector<Segment> joined() const {
     std::vector<Segment> segments = {approach(rows_.front())};
+    double turned = 0.0;  // about up, since the first row [rad]
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (i > 0) segments.push_back(link(rows_[i - 1], rows_[i]));
+      if (i > 0) segments.push_back(link(rows_[i - 1], rows_[i], turned));
       segments.push_back(rows_[i]);
       segments.back().waypoints.front().feed = options_.plunge_feed;
     }
@@ -167,14 +180,17 @@ private:
     return {"approach", {airWaypoint(lifted(start, clearHeight(start, start)), feed), airWaypoint(start, feed)}};
   }
 
-  Segment link(const Segment& before, const Segment& after) const {
+  Segment link(const Segment& before, const Segment& after, double& turned) const {
     const Frame end = offRow(before.waypoints.back().pose);
     const Frame start = offRow(after.waypoints.front().pose);
     const double height = clearHeight(end, start);
     const double feed = options_.rapid_feed;
     Segment segment = {"link_" + nameInLinks(before.name) + "_" + nameInLinks(after.name), {}};
     segment.waypoints = {airWaypoint(end, feed), airWaypoint(lifted(end, height), feed)};
-    appendCrossing(segment.waypoints, lifted(end, height), lifted(start, height), feed);
+    const Vector3 travel = start.translation() - end.translation();
+    const Eigen::AngleAxisd turn = turnBetween(end.linear(), start.linear(), travel, up_, turned);
+    turned += angleAbout(up_, end.linear(), turn);
+    appendCrossing(segment.waypoints, lifted(end, height), lifted(start, height), turn, feed);
     segment.waypoints.push_back(airWaypoint(start, feed));
     return segment;
   }

@@ -364,5 +364,17 @@ TEST_F(JobTest, ReportMutationIsSeen) {
   EXPECT_GT(report["accuracy"]["reference_path_rms"]["value"].get<double>(), 9e-6);
 }
 
+// Every pass begins where the last one's wrist can get back to.
+TEST_F(JobTest, PassesOverStockGiveAProgram) {
+  for (const int passes : {2, 3, 5}) {
+    JobRequest several = request("passes_" + std::to_string(passes));
+    JobOptions options;
+    options.path.stock = 1e-3 * passes;
+    EXPECT_EQ(runJob(several, options, {}).exit, 0) << passes;
+    EXPECT_THAT(file(several, "path.csv"), HasSubstr("pass_" + std::to_string(passes - 1) + "_row_0"));
+    EXPECT_TRUE(files(several).count("program.mod") == 1);
+  }
+}
+
 }  // namespace
 }  // namespace scan_to_path::pipeline

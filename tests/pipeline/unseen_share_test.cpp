@@ -180,5 +180,29 @@ TEST(UnseenShare, AlternatingPitchesAreNoGap) {
   EXPECT_EQ(unseenShare({}, {}, {}, 0.002).sum(), 0.0);
 }
 
+// A post of 4 mm by 4 mm on a plate, nearer than the sensor sees: little of the part, and all the way in the way.
+TEST(UnseenShare, WhatIsTooNearStandsInTheWayAsHighAsTheSensorWent) {
+  auto surfaces = plates({{-0.03, 0.03, -0.03, 0.03}});
+  surfaces.push_back(std::make_shared<geometry::PosedSurface>(
+      std::make_shared<FlatPart>(Rectangle{-0.002, 0.002, -0.002, 0.002}),
+      geometry::makeFrame({0.0, 0.0, 0.04}, Vector3::Zero())));
+  const FitStage fit = fitted(surfaces);
+  ASSERT_FALSE(fit.scan.obstacles.empty());
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const geometry::Frame T_part_scan = cell.T_base_workpiece.inverse() * fit.scan.T_cloud_scan;
+  double highest = 0.0;
+  for (const auto& obstacle : fit.scan.obstacles) {
+    const Vector3 p = T_part_scan * obstacle.cast<double>();
+    EXPECT_LT(p.head<2>().cwiseAbs().maxCoeff(), 0.0025);
+    highest = std::max(highest, p.z());
+  }
+  EXPECT_NEAR(highest, 0.08, 1e-3);  // the sensor goes 80 mm above the plate, in the middle of its range
+  JobOptions options;
+  options.path.ball_radius = 0.005;
+  const PathStage path = pathStage(*makePlanner("cutting", options), fit.scan, "base_link", options, {});
+  EXPECT_FALSE(path.planned.findings.empty());
+  EXPECT_TRUE(fitted(plates({{-0.03, 0.03, -0.03, 0.03}})).scan.obstacles.empty());
+}
+
 }  // namespace
 }  // namespace scan_to_path::pipeline

@@ -203,6 +203,25 @@ TEST(Cutting, SumsUpTheTravel) {
   EXPECT_LE(figure(plan, "row_distance_median"), figure(plan, "row_distance_max"));
 }
 
+// A post between the rows' ends, higher than any contact.
+TEST(Cutting, LinksKeepTheirClearanceOverObstacles) {
+  auto scan = platePlane();
+  const auto highest = [&scan] {
+    double z = -1.0;
+    for (const Segment& segment : planned(scan).path.segments) {
+      for (const auto& waypoint : segment.waypoints) z = std::max(z, waypoint.pose.translation().z());
+    }
+    return z;
+  };
+  const double before = highest();
+  const auto contact = planned(scan).path.segments[1].waypoints.back().pose.translation();
+  const geometry::Vector3 top = contact + geometry::Vector3(0.0, 0.0, 0.08);
+  const geometry::Vector3 post = scan.T_cloud_scan.inverse() * top;
+  scan.obstacles.push_back(post.cast<float>());
+  EXPECT_NEAR(highest(), contact.z() + 0.08 + CuttingOptions().links.clearance, 1e-6);
+  EXPECT_LT(before, contact.z() + 0.08);
+}
+
 TEST(Cutting, GivesTheSameBytesTwice) {
   const auto scan = test::fittedSPart();
   EXPECT_EQ(toolpath::formatToolPath(planned(scan).path), toolpath::formatToolPath(planned(scan).path));
@@ -220,6 +239,7 @@ TEST(Cutting, RejectsBadOptionsAndInput) {
   rejects([](auto& o) { o.leads.length = -1.0; }, "path.leads.length");
   rejects([](auto& o) { o.links.clearance = 0.0; }, "path.links.clearance");
   rejects([](auto& o) { o.depth_of_cut = 0.0; }, "path.depth_of_cut");
+  rejects([](auto& o) { o.depth_of_cut = o.stock = 0.021; }, "path.depth_of_cut is 0.021 m, must be at most the ball");
   test::expectInputError([] { makeCuttingPlanner({})->plan({}, {}); }, "needs a fitted scan");
 }
 

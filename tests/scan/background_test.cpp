@@ -63,6 +63,20 @@ TEST(Background, TheTableGoesAndThePartStays) {
   EXPECT_EQ(rows.pieces.size(), 40u);
 }
 
+TEST(Background, WhatGoesStandsInTheWayOfTools) {
+  const RasterScan scan = overscan();
+  const SampleRows rows =
+      cleanRows(scanRaster(scan, onTable(geometry::SPart(), -0.024)), -scan.T_cloud_scan.linear().col(2), {});
+  std::size_t gone = 0;
+  for (const Dropped& d : rows.dropped) gone += d.reason == "background" || d.reason == "short piece" ? d.count : 0;
+  EXPECT_GT(gone, 10000U);
+  EXPECT_EQ(rows.obstacles.size(), gone);
+  const geometry::Frame T_part_scan = scan.T_cloud_scan.inverse() * rows.T_cloud_scan;
+  for (std::size_t i = 0; i < rows.obstacles.size(); i += 100) {
+    EXPECT_LT((T_part_scan * rows.obstacles[i].cast<double>()).z(), -0.0225);
+  }
+}
+
 TEST(Background, ATiltedTableGoesToo) {
   const geometry::SPart part;
   const auto tilted = [&](double x, double y) -> std::optional<double> {

@@ -148,6 +148,17 @@ TEST(FilterRows, OnlyLongGapsCut) {
   EXPECT_EQ(cut.pieces[1].begins, PieceEnd::gap);
 }
 
+// A rib of 1 mm is too short to fit a curve to. It is there all the same.
+TEST(FilterRows, PiecesTooShortToFitStandInTheWay) {
+  const SampleRows rows = filterRows(rowOf([](double x) { return std::abs(x - 0.05) < 0.0005 ? 0.01 : 0.0; }), {});
+  ASSERT_EQ(rows.pieces.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(rows.obstacles.size()), 20.0, 1.0);
+  for (const auto& p : rows.obstacles) {
+    EXPECT_NEAR(p.x(), 0.05F, 0.00051F);
+    EXPECT_FLOAT_EQ(p.z(), 0.01F);
+  }
+}
+
 TEST(FilterRows, ThreadsDoNotMatter) {
   Random random(5);
   SampleRows rows = rowOf([&](double x) { return wave(x) + 1e-5 * random.gaussian(); });

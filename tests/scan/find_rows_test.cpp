@@ -167,6 +167,25 @@ TEST(FindRows, RefusesCrossingLines) {
   expectInputError([&] { findRows(grid, -Vector3::UnitZ(), {}); }, "travelling along one direction");
 }
 
+// A few rows across the others are no turns: what was measured there is not used, and that is said.
+TEST(FindRows, RowsAcrossTheOthersAreCountedAsSuch) {
+  ScanCloud cloud;
+  for (int row = 0; row < 12; ++row) {
+    for (int k = 0; k < 600; ++k) cloud.push_back(pointAt(0.0001 * (row % 2 == 0 ? k : 599 - k), 0.004 * row));
+    for (int k = 1; k < 40; ++k) cloud.push_back(pointAt(row % 2 == 0 ? 0.06 : 0.0, 0.004 * row + 0.0001 * k));
+  }
+  const auto across = [](const SampleRows& rows) {
+    const auto found = std::find_if(rows.dropped.begin(), rows.dropped.end(),
+                                    [](const Dropped& d) { return d.reason == "across the rows"; });
+    return found == rows.dropped.end() ? 0U : found->count;
+  };
+  EXPECT_EQ(across(findRows(cloud, -Vector3::UnitZ(), {})), 0U);
+  for (int k = 0; k < 480; ++k) cloud.push_back(pointAt(0.0, 0.048 - 0.0001 * k));
+  const SampleRows rows = findRows(cloud, -Vector3::UnitZ(), {});
+  EXPECT_NEAR(static_cast<double>(across(rows)), 480.0 + 39.0, 40.0);  // and the last row's turn, which it goes on from
+  EXPECT_EQ(sampleCount(rows) + lost(rows), rows.samples_in);
+}
+
 TEST(FindRows, PointsThatAreNotFiniteAreCounted) {
   ScanCloud cloud = scanRaster(smallScan(), flat);
   cloud[17].x = std::nanf("");

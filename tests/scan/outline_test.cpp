@@ -53,6 +53,19 @@ bool insideByAngles(const Outline& outline, double x, double y) {
   return std::abs(turn) > 3.0;
 }
 
+TEST(Outline, EndsWhereRowsAreMissing) {
+  SampleRows rows = rowsOf({{{0, 10}}, {{0, 10}}, {{0, 10}}, {{0, 10}}, {{0, 10}}, {{0, 10}}});
+  EXPECT_EQ(traceOutline(rows).polygons.size(), 1U);
+  for (auto& piece : rows.pieces) {
+    if (piece.row >= 3) piece.y.assign(3, piece.row + 2.0);  // two rows between 2 and 3 are missing
+  }
+  const Outline outline = traceOutline(rows);
+  ASSERT_EQ(outline.polygons.size(), 2U);
+  EXPECT_TRUE(insideByAngles(outline, 5.0, 1.5));
+  EXPECT_FALSE(insideByAngles(outline, 5.0, 3.5));
+  EXPECT_TRUE(insideByAngles(outline, 5.0, 6.5));
+}
+
 TEST(Outline, OneQuadrilateral) {
   const Outline outline = traceOutline(rowsOf({{{0, 10}}, {{1, 9}}, {{2, 8}}}));
   ASSERT_EQ(outline.polygons.size(), 1u);

@@ -200,6 +200,26 @@ TEST(Gouge, LinesThatLeaveTheSurfaceCount) {
   }
 }
 
+// A wall that is no part of the fit, and a post of which nobody knows how high it is.
+TEST(Gouge, WhatStandsBesideTheFitCounts) {
+  auto scan = test::fittedScan([](double, double) { return 0.0; }, area, 0.004, 60, 12);
+  const ToolPath path = rowOn(scan, -0.03, 0.03, 60);
+  const GougeCheck bare(scan, radius, tolerance);
+  EXPECT_TRUE(bare.check(path).empty());
+  for (const double height : {0.005, 0.5}) {
+    auto with_wall = scan;
+    for (int i = -40; i <= 40; ++i) with_wall.obstacles.emplace_back(0.03F, 0.0005F * i, static_cast<float>(height));
+    const auto gouges = GougeCheck(with_wall, radius, tolerance).check(path);
+    const double reach = height < radius ? std::sqrt(radius * radius - std::pow(radius - height, 2)) : radius;
+    std::size_t expected = 0;
+    for (const auto& waypoint : path.segments[0].waypoints) expected += waypoint.pose.translation().x() > 0.03 - reach;
+    EXPECT_NEAR(static_cast<double>(gouges.size()), static_cast<double>(expected), 1.0) << height;
+    ASSERT_FALSE(gouges.empty());
+    EXPECT_NEAR(gouges.back().margin, height < radius ? -height : -radius, 1e-6) << height;  // right below or inside it
+    EXPECT_NE(gouges.back().reason.find("into what stands there beside the fit"), std::string::npos);
+  }
+}
+
 TEST(Gouge, RejectsBadArguments) {
   const auto scan = test::fittedSPart();
   test::expectInputError([&] { GougeCheck(scan, 0.0, tolerance); }, "ball radius");

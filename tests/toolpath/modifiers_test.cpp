@@ -44,6 +44,26 @@ TEST(Modifiers, LeadsRunOnAndOffAtTheirAngleWithTheProcessOff) {
   }
 }
 
+// As in passes over the same rows: where one ends and the next begins the tool turns back.
+TEST(Modifiers, TheToolIsNotWoundUpFromPassToPass) {
+  ToolPath path = zigZag();
+  const std::vector<Segment> pass = path.segments;
+  for (int i = 0; i < 3; ++i) path.segments.insert(path.segments.end(), pass.begin(), pass.end());
+  double turned = 0.0;
+  const Frame* before = nullptr;
+  path = withLinks(withLeads(std::move(path), {}), up, 0.02, {});
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      if (before != nullptr) {
+        const Vector3 x = before->linear().transpose() * waypoint.pose.linear().col(0);
+        turned += std::atan2(x.y(), x.x());
+      }
+      before = &waypoint.pose;
+      EXPECT_LT(std::abs(turned), M_PI + 1e-6) << segment.name;
+    }
+  }
+}
+
 TEST(Modifiers, NoLeadLeavesTheContactsAlone) {
   const ToolPath bare = withLeads(withLeads(zigZag(), {}), {0.0, 0.0});
   EXPECT_EQ(test::largestDifference(bare, zigZag()), 0.0);

@@ -9,6 +9,7 @@
 #include "scan_to_path/geometry/frames.h"
 #include "scan_to_path/nurbs/curve.h"
 #include "scan_to_path/nurbs/surface.h"
+#include "scan_to_path/scan/obstacles.h"
 
 namespace scan_to_path::scan {
 
@@ -62,6 +63,7 @@ struct FittedScan {
   /// Height over the scan plane: x = u, y = v, z = height, u and v in metres of the scan frame.
   nurbs::Surface surface;
   Outline outline;
+  Obstacles obstacles;  ///< beside the part and on it, thinned to obstacle_spacing
   std::size_t samples_in = 0;
   std::size_t samples_used = 0;
   std::vector<Dropped> dropped;

@@ -17,7 +17,8 @@ struct NoReturn {
 /// The beams of a scan without a return, in the order in which they were measured.
 struct NoReturns {
   std::vector<NoReturn> beams;
-  double range = 0.0;  ///< length of the sensor's range along the beam [m]
+  double range = 0.0;    ///< length of the sensor's range along the beam [m]
+  double nearest = 0.0;  ///< distance from the sensor to where the range begins [m]
 };
 
 }  // namespace scan_to_path::scan

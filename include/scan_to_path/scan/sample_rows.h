@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scan_to_path/scan/fitted_scan.h"
+#include "scan_to_path/scan/obstacles.h"
 
 namespace scan_to_path::scan {
 
@@ -41,12 +42,23 @@ struct SampleRows {
   double spacing = 0.0;                    ///< median distance of neighbouring samples [m]
   std::size_t samples_in = 0;
   std::vector<Dropped> dropped;
+  Obstacles obstacles;  ///< measured, and no part of the pieces: the background, and pieces too short to fit
 };
+
+/// What neighbouring rows are apart where none is missing: three quarters of all distances are no larger, as a raster
+/// may alternate between two pitches [m]. 0 for fewer than two rows.
+double usualRowDistance(const SampleRows& rows);
+
+/// Rows farther apart than this many usual distances have others missing between them.
+inline constexpr double largest_usual_distance = 2.5;
 
 std::size_t sampleCount(const SampleRows& rows);
 
 /// Adds to the entry of that reason; nothing when count is 0.
 void addDropped(std::vector<Dropped>& dropped, const std::string& reason, std::size_t count);
+
+/// Adds samples [begin, end) of a piece to the obstacles.
+void addObstacles(const RowPiece& piece, std::size_t begin, std::size_t end, Obstacles& obstacles);
 
 /// Samples [begin, end) of a piece, with the piece's own ends where they coincide and `gap` elsewhere.
 RowPiece subPiece(const RowPiece& piece, std::size_t begin, std::size_t end);

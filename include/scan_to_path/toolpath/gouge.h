@@ -14,9 +14,9 @@
 
 namespace scan_to_path::toolpath {
 
-class LinePoints;
+class SolidPoints;
 
-/// What a ball must not enter.
+/// What of the part a ball must not enter. The scan's obstacles it must not in any case.
 enum class GougeTarget {
   surface,            ///< the surface fitted across the scan's lines: all there is between them
   surface_and_lines,  ///< the lines too, where they leave the surface, as at folds
@@ -52,13 +52,18 @@ private:
                    const Vector3* contact, std::optional<Nearest>& nearest) const;
   Nearest refined(const Vector3& centre, const Nearest& start) const;
   Vector3 centreAt(const Waypoint& waypoint) const;
-  std::optional<Vector3> deepest(const Vector3& centre, double radius, const Vector3* contact) const;
+  struct Deepest {
+    Vector3 point = Vector3::Zero();
+    bool is_part = true;
+  };
+  std::optional<Deepest> deepest(const Vector3& centre, double radius, const Vector3* contact) const;
   bool entersAt(const Vector3& centre, double radius, const Vector3* contact, WaypointVerdict& verdict) const;
   bool judgeWaypoint(const Segment& segment, std::size_t index, double allowance, WaypointVerdict& verdict) const;
   bool judgeMove(const Waypoint& from, const Waypoint& to, double allowance, WaypointVerdict& verdict) const;
 
   const scan::FittedScan& scan_;
-  std::unique_ptr<const LinePoints> lines_;  ///< null when the lines do not count
+  std::unique_ptr<const SolidPoints> lines_;  ///< null when the lines do not count
+  std::unique_ptr<const SolidPoints> obstacles_;
   ScanSurface surface_;
   double radius_;
   double tolerance_;

@@ -11,13 +11,13 @@ namespace scan_to_path::toolpath {
 
 using geometry::Vector3;
 
-/// Points on a scan's fitted lines, sorted into square blocks seen along the scan frame's z.
-class LinePoints {
+/// Points in the scan frame with material from each of them down, sorted into square blocks seen along z.
+class SolidPoints {
 public:
-  /// Points at most `spacing` [m] apart along each line; blocks of sixteen spacings.
-  LinePoints(const scan::FittedScan& scan, double spacing);
+  /// Blocks of `side` [m].
+  SolidPoints(const std::vector<Vector3>& points, double side);
 
-  /// The point nearest to `centre` among those nearer than `reach` [m]; both in the scan frame.
+  /// The place of the material below the points that is nearest to `centre` among those nearer than `reach` [m].
   std::optional<Vector3> nearest(const Vector3& centre, double reach) const;
 
 private:
@@ -32,5 +32,8 @@ private:
   std::vector<Vector3> points_;
   std::vector<double> tops_;  ///< z of each block's highest point
 };
+
+/// Points at most `spacing` [m] apart along the scan's fitted lines, in the scan frame.
+std::vector<Vector3> pointsOnLines(const scan::FittedScan& scan, double spacing);
 
 }  // namespace scan_to_path::toolpath

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
-#include "line_points.h"
+#include "solid_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@
 
 namespace scan_to_path::toolpath {
 namespace {
-
-constexpr double spacings_per_block = 16.0;
 
 /// Points at equal steps of the parameter: the control polygon is no shorter than the curve.
 void addPoints(const scan::FittedLine& line, const scan::Frame& T_scan_cloud, double spacing,
@@ -28,24 +26,21 @@ void addPoints(const scan::FittedLine& line, const scan::Frame& T_scan_cloud, do
 
 }  // namespace
 
-LinePoints::LinePoints(const scan::FittedScan& scan, double spacing) : side_(spacings_per_block * spacing) {
-  const scan::Frame T_scan_cloud = scan.T_cloud_scan.inverse();
-  std::vector<Vector3> points;
-  for (const auto& line : scan.lines) addPoints(line, T_scan_cloud, spacing, points);
+SolidPoints::SolidPoints(const std::vector<Vector3>& points, double side) : side_(side) {
   for (const auto& point : points) area_.extend(point.head<2>());
   sortIntoBlocks(points);
 }
 
-std::size_t LinePoints::column(double x) const {
+std::size_t SolidPoints::column(double x) const {
   return static_cast<std::size_t>(std::max(0.0, std::floor((x - area_.min().x()) / side_)));
 }
 
-std::size_t LinePoints::line(double y) const {
+std::size_t SolidPoints::line(double y) const {
   return static_cast<std::size_t>(std::max(0.0, std::floor((y - area_.min().y()) / side_)));
 }
 
 /// By counting: every point goes to its block at once.
-void LinePoints::sortIntoBlocks(const std::vector<Vector3>& points) {
+void SolidPoints::sortIntoBlocks(const std::vector<Vector3>& points) {
   if (points.empty()) return;
   columns_ = column(area_.max().x()) + 1;
   const std::size_t blocks = columns_ * (line(area_.max().y()) + 1);
@@ -62,11 +57,10 @@ void LinePoints::sortIntoBlocks(const std::vector<Vector3>& points) {
   for (const auto& point : points) points_[next[blockOf(point)]++] = point;
 }
 
-std::optional<Vector3> LinePoints::nearest(const Vector3& centre, double reach) const {
-  const Vector3* found = nullptr;
+std::optional<Vector3> SolidPoints::nearest(const Vector3& centre, double reach) const {
+  std::optional<Vector3> found;
   double least = reach * reach;
-  const bool is_beside = points_.empty() || area_.squaredExteriorDistance(centre.head<2>()) >= least;
-  if (is_beside) return std::nullopt;
+  if (points_.empty() || area_.squaredExteriorDistance(centre.head<2>()) >= least) return found;
   const std::size_t last_column = std::min(columns_ - 1, column(centre.x() + reach));
   const std::size_t last_line = std::min(tops_.size() / columns_ - 1, line(centre.y() + reach));
   for (std::size_t y = line(centre.y() - reach); y <= last_line; ++y) {
@@ -75,14 +69,22 @@ std::optional<Vector3> LinePoints::nearest(const Vector3& centre, double reach) 
       const double above = std::max(0.0, centre.z() - tops_[block]);
       if (above * above >= least) continue;
       for (std::size_t i = first_[block]; i < first_[block + 1]; ++i) {
-        const double distance2 = (points_[i] - centre).squaredNorm();
+        const Vector3 place(points_[i].x(), points_[i].y(), std::min(points_[i].z(), centre.z()));
+        const double distance2 = (place - centre).squaredNorm();
         if (distance2 >= least) continue;
         least = distance2;
-        found = &points_[i];
+        found = place;
       }
     }
   }
-  return found != nullptr ? std::optional<Vector3>(*found) : std::nullopt;
+  return found;
+}
+
+std::vector<Vector3> pointsOnLines(const scan::FittedScan& scan, double spacing) {
+  const scan::Frame T_scan_cloud = scan.T_cloud_scan.inverse();
+  std::vector<Vector3> points;
+  for (const auto& line : scan.lines) addPoints(line, T_scan_cloud, spacing, points);
+  return points;
 }
 
 }  // namespace scan_to_path::toolpath
