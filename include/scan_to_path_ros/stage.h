@@ -64,9 +64,9 @@ private:
   std::atomic<bool> cancelled_{false};
   mutable std::mutex mutex_;
   State state_;
+  ros::CallbackQueue queue_;  ///< outlives all that names it: publishers do as well, when they withdraw
   ros::Publisher progress_;
   ros::Publisher reports_;
-  ros::CallbackQueue queue_;
   ros::Publisher diagnostics_;
   ros::WallTimer diagnostics_timer_;
   ros::Subscriber cancel_;
