@@ -24,6 +24,9 @@ std::string toYaml(const XmlRpc::XmlRpcValue& value);
 void applyParameter(scan_to_path::pipeline::JobOptions& options, const XmlRpc::XmlRpcValue& tree,
                     const std::string& name);
 
+/// Throws InputError when no master answers.
+void checkMaster();
+
 /// Options from the defaults, `configuration` and `job`. Throws InputError as a configuration file's reader does,
 /// naming the parameter, and when no master answers.
 scan_to_path::pipeline::JobOptions readJobOptions(const ros::NodeHandle& nodes);

@@ -80,11 +80,12 @@ void applyParameter(scan_to_path::pipeline::JobOptions& options, const XmlRpcVal
                                     is_text ? static_cast<std::string>(copy) : toYaml(tree), "parameter " + name);
 }
 
+void checkMaster() {
+  if (!ros::master::check()) throw InputError("no ROS master at " + ros::master::getURI());
+}
+
 scan_to_path::pipeline::JobOptions readJobOptions(const ros::NodeHandle& nodes) {
-  // Without a master every parameter looks as if it were not set: no job may go on with the defaults then.
-  if (!ros::master::check()) {
-    throw InputError("no ROS master at " + ros::master::getURI() + ": the cell's configuration cannot be read");
-  }
+  checkMaster();  // without it every parameter looks as if it were not set
   scan_to_path::pipeline::JobOptions options;
   apply(options, nodes, cell_parameter);
   apply(options, nodes, job_parameter);

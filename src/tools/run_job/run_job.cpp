@@ -13,6 +13,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path_ros/parameters.h"
 #include "tools/progress_bar.h"
 #include "tools/run_job/play_back.h"
 
@@ -72,9 +73,7 @@ std::string cellOf(const std::string& server) {
 
 int run(const Flags& flags) {
   const scan_to_path::RunJobGoal goal = goalFrom(flags);
-  if (!waitFor(flags.wait, [] { return ros::master::check(); })) {
-    throw scan_to_path::InputError("no ROS master at " + ros::master::getURI());
-  }
+  if (!waitFor(flags.wait, [] { return ros::master::check(); })) scan_to_path_ros::checkMaster();
   ros::NodeHandle nodes;
   Client client(nodes, flags.server + "/run", true);
   if (!waitFor(flags.wait, [&] { return client.isServerConnected(); })) {
@@ -88,7 +87,10 @@ int run(const Flags& flags) {
                   [&](const scan_to_path::RunJobFeedbackConstPtr& at) { progress.update(at->stage, at->fraction); });
   while (!client.getState().isDone()) {
     if (interrupted != 0) client.cancelGoal();
-    if (!client.isServerConnected()) throw scan_to_path::InputError("the job server is gone");
+    if (!client.isServerConnected()) {
+      scan_to_path_ros::checkMaster();
+      throw scan_to_path::InputError("the job server is gone");
+    }
     ros::WallDuration(0.02).sleep();
   }
   const auto result = client.getResult();
