@@ -40,8 +40,8 @@ public:
   LogPlayer(const ros::NodeHandle& nodes, const LogPlayerOptions& options, const scan_to_path::robot::Robot& robot);
   ~LogPlayer();
 
-  /// Starts in a thread of its own; scan_finished (the last sample's stamp) or the error ends it. Throws InputError
-  /// when it plays already.
+  /// Starts in a thread of its own; scan_finished (the last sample's stamp), or the error on stage_reports, ends it.
+  /// Throws InputError when it plays already.
   void start(Recording recording);
 
   /// Ends playing; nothing more is published afterwards.
@@ -61,6 +61,8 @@ private:
   void publishJoints(const Recording& recording, std::size_t reading, const ros::Time& begin);
   void publishSamples(const Recording& recording, std::size_t first, std::size_t last, const ros::Time& begin);
   void fail(const std::string& error);
+  /// Tells the job why the scan has no end, if it has none.
+  void report();
   void tick(const ros::Time& now);
   void idle();
 
@@ -69,6 +71,7 @@ private:
   ros::Publisher samples_;
   ros::Publisher clock_;
   ros::Publisher finished_;
+  ros::Publisher reports_;
   ros::Subscriber acknowledged_;
   ros::Subscriber shown_;
   mutable std::mutex mutex_;

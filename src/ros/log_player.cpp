@@ -4,12 +4,14 @@
 
 #include <rosgraph_msgs/Clock.h>
 #include <scan_to_path/ScanSamples.h>
+#include <scan_to_path/StageReport.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/text.h"
 
 namespace scan_to_path_ros {
 namespace {
@@ -41,6 +43,7 @@ void LogPlayer::advertise(ros::NodeHandle& nodes) {
   joints_ = nodes.advertise<sensor_msgs::JointState>("joint_states", 20000);
   samples_ = nodes.advertise<core::ScanSamples>("scan_samples", 20000);
   finished_ = nodes.advertise<std_msgs::Header>("scan_finished", 1);
+  reports_ = nodes.advertise<core::StageReport>("stage_reports", 10);
   shown_ = nodes.subscribe<std_msgs::Bool>("playback_active", 1, [this](const std_msgs::BoolConstPtr& active) {
     const std::lock_guard<std::mutex> lock(mutex_);
     playback_active_ = active->data != 0;
@@ -80,6 +83,7 @@ void LogPlayer::start(Recording recording) {
   }
   thread_ = std::thread([this, played = std::move(recording)] {
     play(played);
+    report();
     playing_ = false;
   });
 }
@@ -103,6 +107,16 @@ void LogPlayer::fail(const std::string& error) {
   error_ = error;
 }
 
+void LogPlayer::report() {
+  core::StageReport message;
+  message.error = error();
+  if (message.error.empty()) return;
+  message.name = "scan";
+  message.exit = 2;
+  reports_.publish(message);
+  ROS_ERROR_STREAM(message.error);
+}
+
 bool LogPlayer::pause(double seconds) {
   std::unique_lock<std::mutex> lock(mutex_);
   return !changed_.wait_for(lock, std::chrono::duration<double>(std::max(0.0, seconds)), [this] { return stopping_; });
@@ -113,7 +127,7 @@ bool LogPlayer::waitForListeners() {
   while (joints_.getNumSubscribers() == 0 || samples_.getNumSubscribers() == 0) {
     if (!pause(0.01)) return false;
     if (ros::WallTime::now() < limit) continue;
-    fail("nobody listens to " + (joints_.getNumSubscribers() == 0 ? joints_.getTopic() : samples_.getTopic()));
+    fail("scan: nobody listens to " + (joints_.getNumSubscribers() == 0 ? joints_.getTopic() : samples_.getTopic()));
     return false;
   }
   return true;
@@ -126,7 +140,8 @@ bool LogPlayer::waitUntilTaken(const ros::Time& stamp) {
     changed_.wait_for(lock, std::chrono::duration<double>(options_.timeout),
                       [&] { return stopping_ || taken_ != last; });
     if (taken_ == last && !stopping_) {
-      error_ = "no sample was taken for " + std::to_string(options_.timeout) + " s: transforms or accumulator missing";
+      error_ = "scan: no sample was placed for " + core::fixed(options_.timeout, 1) +
+               " s; do transforms come, is the accumulator running?";
       return false;
     }
     last = taken_;
