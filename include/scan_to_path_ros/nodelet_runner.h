@@ -17,7 +17,7 @@ public:
   NodeletRunner(const ros::NodeHandle& nodes, StageResults& results, const ScanWaiting& waiting,
                 const scan_to_path::pipeline::JobRequest& request, const scan_to_path::pipeline::JobOptions& options,
                 const scan_to_path::pipeline::Cell& cell);
-  /// Stops an emulator that still scans.
+  /// Stops an emulator that still scans, and whoever still takes samples.
   ~NodeletRunner() override;
 
   void read(const scan_to_path::Progress& progress) override;

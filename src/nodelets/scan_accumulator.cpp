@@ -3,6 +3,7 @@
 #include <nodelet/nodelet.h>
 #include <pcl_conversions/pcl_conversions.h>
 #include <pcl_ros/point_cloud.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -32,24 +33,46 @@ class ScanAccumulator : public nodelet::Nodelet {
     info_ = nodes.advertise<scan_to_path::ScanInfo>("scan_info", 1, true);
     live_ = nodes.advertise<Cloud>("scan_points", 100);
     acknowledged_ = nodes.advertise<std_msgs::Header>("scan_acknowledged", 10);
+    recording_told_ = nodes.advertise<std_msgs::Bool>("scan_recording", 1, true);
     start_ = nodes.advertiseService("scan_accumulator/start", &ScanAccumulator::start, this);
+    stop_ = nodes.advertiseService("scan_accumulator/stop", &ScanAccumulator::stop, this);
     finish_ = nodes.advertiseService("scan_accumulator/finish", &ScanAccumulator::finish, this);
     transforms_ = nodes.subscribe("/tf", 20000, &ScanAccumulator::addTransforms, this);
     static_transforms_ = nodes.subscribe("/tf_static", 100, &ScanAccumulator::addStaticTransforms, this);
     samples_ = nodes.subscribe("scan_samples", 20000, &ScanAccumulator::addSamples, this);
     live_timer_ = nodes.createWallTimer(ros::WallDuration(live_period), &ScanAccumulator::publishLive, this);
+    setRecording(false);
+  }
+
+  /// Latched: whoever moves a real robot knows by it when to begin.
+  void setRecording(bool recording) {
+    recording_ = recording;
+    std_msgs::Bool message;
+    message.data = static_cast<std::uint8_t>(recording);
+    recording_told_.publish(message);
   }
 
   bool start(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
     try {
       placer_.restart(placerOptions());
       published_ = 0;
-      recording_ = true;
       refused_.clear();
+      setRecording(true);
       response.success = 1;
     } catch (const scan_to_path::InputError& error) {
       response.message = error.what();
     }
+    return true;
+  }
+
+  /// Forgets the scan of a job that came to no end.
+  bool stop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    if (recording_) {
+      placer_.restart(placer_.options());
+      published_ = 0;
+      setRecording(false);
+    }
+    response.success = 1;
     return true;
   }
 
@@ -58,7 +81,7 @@ class ScanAccumulator : public nodelet::Nodelet {
       response.message = "not recording";
       return true;
     }
-    recording_ = false;
+    setRecording(false);
     publishLive(ros::WallTimerEvent());
     std_msgs::Header header;
     header.stamp = placer_.start();
@@ -111,7 +134,7 @@ class ScanAccumulator : public nodelet::Nodelet {
 
   /// Tells how far the scan is placed: an emulator faster than real time waits for it, a job knows when all is there.
   void acknowledge() {
-    if (!recording_ || placer_.acknowledged() == told_) return;
+    if (!recording_ || placer_.acknowledged().isZero() || placer_.acknowledged() == told_) return;
     told_ = placer_.acknowledged();
     auto header = boost::make_shared<std_msgs::Header>();
     header->stamp = told_;
@@ -153,7 +176,9 @@ class ScanAccumulator : public nodelet::Nodelet {
   ros::Publisher info_;
   ros::Publisher live_;
   ros::Publisher acknowledged_;
+  ros::Publisher recording_told_;
   ros::ServiceServer start_;
+  ros::ServiceServer stop_;
   ros::ServiceServer finish_;
   ros::Subscriber transforms_;
   ros::Subscriber static_transforms_;

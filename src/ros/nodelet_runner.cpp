@@ -18,6 +18,7 @@ namespace pipeline = scan_to_path::pipeline;
 
 constexpr const char* emulator_start = "scan_emulator/start";
 constexpr const char* emulator_stop = "scan_emulator/stop";
+constexpr const char* accumulator_stop = "scan_accumulator/stop";
 constexpr const char* player_stop = "trajectory_player/stop";
 
 }  // namespace
@@ -29,7 +30,9 @@ NodeletRunner::NodeletRunner(const ros::NodeHandle& nodes, StageResults& results
 
 NodeletRunner::~NodeletRunner() {
   std_srvs::Trigger stop;
-  if (exists(emulator_stop)) ros::service::call(nodes_.resolveName(emulator_stop), stop);
+  for (const char* service : {emulator_stop, accumulator_stop}) {
+    if (exists(service)) ros::service::call(nodes_.resolveName(service), stop);
+  }
 }
 
 bool NodeletRunner::exists(const std::string& service) const {
@@ -39,8 +42,10 @@ bool NodeletRunner::exists(const std::string& service) const {
 void NodeletRunner::call(const std::string& service) const {
   const std::string name = nodes_.resolveName(service);
   std_srvs::Trigger trigger;
-  if (!ros::service::call(name, trigger))
+  if (!ros::service::call(name, trigger)) {
+    checkMaster();
     throw scan_to_path::InputError(name + ": nobody answers; is its nodelet running?");
+  }
   if (trigger.response.success == 0) throw scan_to_path::InputError(name + ": " + trigger.response.message);
 }
 
@@ -53,6 +58,7 @@ void NodeletRunner::read(const scan_to_path::Progress& progress) {
   const bool emulated = nodes_.param("emulated", exists(emulator_start));
   const ros::WallTime limit = ros::WallTime::now() + ros::WallDuration(waiting_.first_sample);
   while (emulated && !exists(emulator_start) && ros::WallTime::now() < limit) {
+    checkMaster();
     progress.update("scan", 0.0);
     ros::WallDuration(0.02).sleep();
   }
