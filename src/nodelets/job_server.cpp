@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
 #include <actionlib/server/action_server.h>
+#include <diagnostic_updater/diagnostic_updater.h>
 #include <nodelet/nodelet.h>
 #include <scan_to_path/RunJobAction.h>
 #include <std_msgs/Empty.h>
@@ -39,12 +40,17 @@ private:
     cancel_ = getNodeHandle().advertise<std_msgs::Empty>("cancel", 1);
     server_ = std::make_unique<Server>(
         own, "run", [this](Goal goal) { accept(goal); }, [this](Goal goal) { cancel(goal); }, false);
+    diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), own, getName());
+    diagnostics_->setHardwareID("none");
+    diagnostics_->add("last job", this, &JobServer::diagnose);
+    diagnostics_timer_ = getNodeHandle().createWallTimer(
+        ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
     server_->start();
   }
 
   void accept(Goal goal) {
+    scan_to_path::RunJobResult result;
     if (busy_.exchange(true)) {
-      scan_to_path::RunJobResult result;
       result.exit = 2;
       result.summary = {"a job is running; one at a time"};
       goal.setRejected(result, result.summary.front());
@@ -53,6 +59,7 @@ private:
     if (worker_.joinable()) worker_.join();
     cancelled_ = false;
     goal.setAccepted();
+    note(result, true);
     worker_ = std::thread([this, goal]() mutable { run(goal); });
   }
 
@@ -82,6 +89,7 @@ private:
     }
     scan_to_path_ros::clearJob(getNodeHandle());
     const std::string text = result.summary.empty() ? "" : result.summary.front();
+    note(result, false);
     busy_ = false;  // who hears the result may send the next goal at once
     if (result.exit == 130)
       goal.setCanceled(result, text);
@@ -89,6 +97,26 @@ private:
       goal.setAborted(result, text);
     else
       goal.setSucceeded(result, text);
+  }
+
+  void note(const scan_to_path::RunJobResult& result, bool is_working) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = result;
+    is_working_ = is_working;
+    jobs_ += is_working ? 1 : 0;
+  }
+
+  /// A job that wrote its result is no fault of the cell's, whatever it found.
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    using diagnostic_msgs::DiagnosticStatus;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool failed = last_.exit == 2 || last_.exit == 3;
+    status.summary(failed ? DiagnosticStatus::ERROR : DiagnosticStatus::OK, is_working_ ? "working"
+                                                                            : last_.summary.empty()
+                                                                                ? "waiting"
+                                                                                : last_.summary.front());
+    status.add("jobs", jobs_);
+    status.add("exit of the last job", last_.exit);
   }
 
   scan_to_path::pipeline::JobResult plan(const scan_to_path::RunJobGoal& goal, const scan_to_path::Progress& progress) {
@@ -124,6 +152,12 @@ private:
   std::unique_ptr<scan_to_path_ros::StageResults> results_;
   ros::Publisher cancel_;
   std::unique_ptr<Server> server_;
+  std::mutex mutex_;
+  scan_to_path::RunJobResult last_;
+  bool is_working_ = false;
+  std::size_t jobs_ = 0;
+  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+  ros::WallTimer diagnostics_timer_;
   std::atomic<bool> busy_{false};
   std::atomic<bool> cancelled_{false};
   std::thread worker_;

@@ -44,6 +44,8 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     diagnostics_ = std::make_unique<diagnostic_updater::Updater>(nodes, getPrivateNodeHandle(), getName());
     diagnostics_->setHardwareID("none");
     diagnostics_->add("playback", this, &TrajectoryPlayer::diagnose);
+    diagnostics_timer_ = nodes.createWallTimer(ros::WallDuration(1.0),
+                                               [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
     setActive(false);
     options();  // so that they can be seen before the first playback
     isRealRobot();
@@ -225,6 +227,7 @@ class TrajectoryPlayer : public nodelet::Nodelet {
   ros::ServiceServer stop_;
   ros::WallTimer timer_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+  ros::WallTimer diagnostics_timer_;
 };
 
 }  // namespace scan_to_path_nodelets
