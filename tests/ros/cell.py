@@ -5,6 +5,7 @@ import json
 import pathlib
 import shutil
 import signal
+import struct
 import subprocess
 import tempfile
 import threading
@@ -15,10 +16,14 @@ import roslib.packages
 RUN_JOB = pathlib.Path(roslib.packages.find_node("scan_to_path", "run_job")[0])
 # Beside the devel space in a build, on PATH when installed.
 _BUILT = RUN_JOB.resolve().parents[3] / "scan_to_path"
+NODELET = roslib.packages.find_node("nodelet", "nodelet")[0]
 COMMAND_LINE = _BUILT if _BUILT.is_file() else pathlib.Path(shutil.which("scan_to_path") or "scan_to_path")
 
 # Rows 12 mm apart, driven faster: a job of a second or two that uses every stage.
 QUICK = "emulate: {raster: {pitch: 0.012, speed: 0.2}}\n"
+# A few rows, driven fast: about 8 s of scan, done in one.
+COARSE = ("emulate: {raster: {pitch: 0.03, speed: 0.25}}\npath: {pitch: 0.015}\n"
+          "report: {max_between_rows: 0, max_surface_residual: 0}\n")
 
 
 def wait_until(condition, seconds, what):
@@ -33,9 +38,9 @@ def wait_until(condition, seconds, what):
 class Job:
     """A job under way, started by the client that users have."""
 
-    def __init__(self, out, configuration="", env=None):
+    def __init__(self, out, configuration="", name="cell", env=None):
         self.out = pathlib.Path(out)
-        command = [RUN_JOB, "--out", self.out, "--wait", "40"]
+        command = [RUN_JOB, "--out", self.out, "--wait", "40", "--server", name + "/job_server"]
         if configuration:
             self.configuration = tempfile.NamedTemporaryFile("w", suffix=".yaml")
             self.configuration.write(configuration)
@@ -60,6 +65,35 @@ class Job:
 
     def report(self):
         return json.loads((self.out / "report.json").read_text())
+
+    def dropped(self):
+        """How many samples the scan left out, by reason."""
+        return next(stage for stage in self.report()["stages"] if stage["name"] == "scan")["dropped"]
+
+    def points(self):
+        """The scan's points by their time [s]: x, y, z [m]."""
+        header, data = (self.out / "scan.pcd").read_bytes().split(b"DATA binary\n", 1)
+        lines = {line.split()[0]: line.split()[1:] for line in header.decode().splitlines()}
+        kinds = {("F", "4"): "f", ("F", "8"): "d", ("U", "4"): "I"}
+        layout = "<" + "".join(kinds[kind] for kind in zip(lines["TYPE"], lines["SIZE"]))
+        points = (dict(zip(lines["FIELDS"], values)) for values in struct.iter_unpack(layout, data))
+        return {point["time"]: (point["x"], point["y"], point["z"]) for point in points}
+
+
+def unload(name):
+    subprocess.run([NODELET, "unload", "/cell/" + name, "/cell/manager"], check=True, timeout=20, stdout=subprocess.DEVNULL)
+
+
+class Nodelet:
+    """A nodelet put back into the cell; there until removed."""
+
+    def __init__(self, name):
+        self.process = subprocess.Popen([NODELET, "load", "scan_to_path/" + name, "/cell/manager", "__name:=" + name,
+                                         "__ns:=/cell", "/tf:=tf", "/tf_static:=tf_static"], stdout=subprocess.DEVNULL)
+
+    def remove(self):
+        self.process.terminate()
+        self.process.wait(10)
 
 
 class Listener:

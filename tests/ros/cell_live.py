@@ -20,8 +20,6 @@ from sensor_msgs.msg import PointCloud2
 import cell
 
 LAG, CORES = 0.2, 1.0  # [s], processor seconds of a cell's manager in a second of its scan
-# A few rows, driven fast: about 8 s of scan.
-CONFIGURATION = "emulate: {raster: {pitch: 0.03, speed: 0.25}}\nreport: {max_between_rows: 0, max_surface_residual: 0}\n"
 
 
 def processor_time(process):
@@ -35,7 +33,7 @@ class CellLive(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         directory = pathlib.Path(temporary.name)
         configuration = directory / "job.yaml"
-        configuration.write_text(CONFIGURATION)
+        configuration.write_text(cell.COARSE)
         shown, jobs = {}, {}
         for name in ("left", "right"):
             shown[name] = cell.Listener(f"/{name}/scan_points", PointCloud2)

@@ -9,7 +9,6 @@ import sys
 import tempfile
 import unittest
 
-import roslib.packages
 import rospy
 import rostest
 from scan_to_path.msg import PlaybackDeviation
@@ -39,8 +38,7 @@ class CellReplay(unittest.TestCase):
         cls.joints.close()
         cls.deviation = cell.Listener("/cell/playback_deviation", PlaybackDeviation)
         cls.live = run_job(cls.directory / "live", "--play")
-        nodelet = roslib.packages.find_node("nodelet", "nodelet")[0]
-        subprocess.run([nodelet, "unload", "/cell/scan_recorder", "/cell/manager"], check=True, timeout=20)  # closes the bag
+        cell.unload("scan_recorder")  # closes the bag
 
     @classmethod
     def tearDownClass(cls):
