@@ -87,9 +87,10 @@ def unload(name):
 class Nodelet:
     """A nodelet put back into the cell; there until removed."""
 
-    def __init__(self, name):
+    def __init__(self, name, *parameters):
         self.process = subprocess.Popen([NODELET, "load", "scan_to_path/" + name, "/cell/manager", "__name:=" + name,
-                                         "__ns:=/cell", "/tf:=tf", "/tf_static:=tf_static"], stdout=subprocess.DEVNULL)
+                                         "__ns:=/cell", "/tf:=tf", "/tf_static:=tf_static", *parameters],
+                                        stdout=subprocess.DEVNULL)
 
     def remove(self):
         self.process.terminate()

@@ -192,6 +192,13 @@ class CellFaults(unittest.TestCase):
         with self.without("path_planner"):
             self.expect_failed(self.job_of("without_path"), "path: nothing heard of this stage for 4 s; is its nodelet running?")
 
+    def test_a_recording_that_cannot_be_written(self):
+        recorder = cell.Nodelet("scan_recorder", "_file:=/proc/scan.bag")
+        self.addCleanup(recorder.remove)
+        rospy.wait_for_service("/cell/scan_recorder/stop", 20.0)
+        self.expect_failed(self.job_of("unrecorded"), "scan: cannot record into /proc/scan.bag: ")
+        cell.unload("scan_recorder")
+
     def test_messages_that_no_sensor_sends(self):
         job = self.job_of("disturbed", LONG)
         self.wait_for_samples()

@@ -4,21 +4,40 @@
 """A recorded scan gives the live run's program, byte for byte; a broken recording gives one line; the program played
 back stays on the path."""
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 
+import genpy
 import rospy
 import rostest
 from scan_to_path.msg import PlaybackDeviation
 from sensor_msgs.msg import JointState
+from std_msgs.msg import Empty
 
 import cell
 
 POSITION, ANGLE = 1e-6, 1.745e-5  # [m], [rad] = 0.001 deg: the tool off the path at waypoints
 FILES = ("scan.pcd", "path.csv", "trajectory.csv", "pulses.csv", "program.mod")
 BAG = pathlib.Path(sys.argv[1])
+
+
+class TriggerResponse(genpy.Message):
+    __slots__ = ["success", "message"]
+    _slot_types = ["bool", "string"]
+
+    def deserialize(self, data):
+        self.success, length = struct.unpack_from("<?I", data)
+        self.message = data[5:5 + length].decode()
+        return self
+
+
+class Trigger:
+    """std_srvs/Trigger, whose Python half the package does not need otherwise."""
+    _type, _md5sum = "std_srvs/Trigger", "937c9679a518e3a18d831e57125ea522"
+    _request_class, _response_class = Empty, TriggerResponse
 
 
 def run_job(out, *arguments, configuration=cell.QUICK):
@@ -38,7 +57,8 @@ class CellReplay(unittest.TestCase):
         cls.joints.close()
         cls.deviation = cell.Listener("/cell/playback_deviation", PlaybackDeviation)
         cls.live = run_job(cls.directory / "live", "--play")
-        cell.unload("scan_recorder")  # closes the bag
+        stop = rospy.ServiceProxy("/cell/scan_recorder/stop", Trigger)
+        cls.stopped, cls.stopped_again = stop(), stop()
 
     @classmethod
     def tearDownClass(cls):
@@ -56,6 +76,10 @@ class CellReplay(unittest.TestCase):
         self.assertGreater(last.position_largest, 0.0)
         self.assertLessEqual(last.position_largest, POSITION)
         self.assertLessEqual(last.angle_largest, ANGLE)
+
+    def test_a_recording_stops_once(self):
+        self.assertEqual((self.stopped.success, self.stopped.message), (True, str(BAG)))
+        self.assertEqual((self.stopped_again.success, self.stopped_again.message), (False, "nothing is recorded any more"))
 
     def test_a_replay_gives_the_same_program(self):
         # A scan would have other rows: what comes out is the recording's.
