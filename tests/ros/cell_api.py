@@ -33,7 +33,7 @@ def documented(kind):
     return {(resolved(entry.name, entry.nodelet), entry.value) for entry in ENTRIES if entry.kind == kind}
 
 
-ENTRIES = api_document.entries()
+ENTRIES = [entry for entry in api_document.entries() if entry.nodelet != "scan_recorder"]  # which is not loaded here
 
 
 class CellApi(unittest.TestCase):
@@ -82,7 +82,7 @@ class CellApi(unittest.TestCase):
         self.assertIn("seed", launched)
         compared = 0
         for entry in ENTRIES:
-            if entry.kind != "parameter" or entry.nodelet == "scan_recorder":  # which is not loaded here
+            if entry.kind != "parameter":
                 continue
             name, default = resolved(entry.name, entry.nodelet), entry.value
             self.assertEqual(rospy.has_param(name), default not in ("none", "configuration") or "seed" in name, name)
