@@ -4,11 +4,10 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "scan_to_path/toolpath/row_selection.h"
 #include "scan_to_path/toolpath/tool_path.h"
 #include "scan_to_path/toolpath/verdict.h"
 
@@ -17,24 +16,8 @@ namespace scan_to_path_ros {
 
 namespace core = scan_to_path;
 
-/// Rows by their numbers.
-class RowSelection {
-public:
-  /// "3, 7-9"; empty or "all": every row. Throws InputError for anything else.
-  static RowSelection parse(const std::string& text);
-
-  bool contains(int row) const;
-  bool all() const { return ranges_.empty(); }
-
-private:
-  std::vector<std::pair<int, int>> ranges_;  // first and last; none: every row
-};
-
-/// The number in a segment's name: 3 of "row_3", "row_3_1" and "pass_0_row_3"; none of approaches, links and retracts.
-std::optional<int> rowNumber(const std::string& segment);
-
 struct PathDrawingOptions {
-  RowSelection rows;
+  core::toolpath::RowSelection rows = core::toolpath::RowSelection::all();
   bool links = true;                ///< draw what is no row: approaches, links, retracts
   double arrow_interval = 0.05;     ///< along a segment [m]; 0: no arrows
   double arrow_size = 0.004;        ///< [m]

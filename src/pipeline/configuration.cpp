@@ -66,6 +66,14 @@ public:
       value->push_back(item.Scalar());
     }
   }
+  void operator()(std::vector<Eigen::Vector2d>* value) const {
+    if (!node_.IsSequence()) reject("a list of [x, y]");
+    value->clear();
+    for (const auto& item : node_) {
+      if (!item.IsSequence() || item.size() != 2) reject("a list of [x, y]");
+      value->emplace_back(toNumber(item[0]), toNumber(item[1]));
+    }
+  }
   void operator()(const EnumReference& value) const {
     const auto& names = value.names;
     const auto found = std::find(names.begin(), names.end(), node_.IsScalar() ? node_.Scalar() : "");
@@ -176,6 +184,9 @@ struct FormatValue {
   }
   std::string operator()(const std::vector<double>* value) const { return list(*value, formatNumber); }
   std::string operator()(const std::vector<std::string>* value) const { return list(*value, formatText); }
+  std::string operator()(const std::vector<Eigen::Vector2d>* value) const {
+    return list(*value, [](const Eigen::Vector2d& p) { return "[" + formatNumber(p.x()) + ", " + formatNumber(p.y()) + "]"; });
+  }
   std::string operator()(const EnumReference& value) const { return value.names[value.get()]; }
 
 private:

@@ -51,6 +51,26 @@ void noteScallop(const process::CuttingOptions& options, PathStage& stage) {
            : "scan at a smaller pitch, or plan rows over the surface with --set path.row_source=surface"));
 }
 
+Frame workObjectOf(const JobOptions& options) {
+  return geometry::makeFrame(options.cell.workpiece.xyz, options.cell.workpiece.rpy);
+}
+
+process::PlannerInput inputOf(const scan::FittedScan& scan, const std::string& frame, const JobOptions& options) {
+  return {&scan, frame, workObjectOf(options)};
+}
+
+/// What stands on the part because the user wants it so.
+void noteLeftStanding(const process::CuttingOptions& options, PathStage& stage) {
+  if (!options.skip_rows.empty()) {
+    stage.notes.push_back("rows " + options.skip_rows +
+                          " are skipped (path.skip_rows): what they would take off stays, and path_scallop says "
+                          "nothing of the strips beside them");
+  }
+  if (!options.region.empty()) {
+    stage.notes.push_back("only what lies in path.region is machined; rows keep the numbers of the whole part");
+  }
+}
+
 PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, const JobOptions& options) {
   PathStage stage;
   stage.planned = std::move(planned);
@@ -65,6 +85,7 @@ PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, 
     addSurfaceTolerances(scan, options.report, stage.accuracy);
   noteSurface(stage);
   noteScallop(options.path, stage);
+  noteLeftStanding(options.path, stage);
   return stage;
 }
 
@@ -80,15 +101,19 @@ std::unique_ptr<process::Planner> makePlanner(const std::string& process, const 
   return process::makeCuttingPlanner(options.path);
 }
 
+toolpath::Region regionOf(const JobOptions& options) {
+  return toolpath::Region(options.path.region, workObjectOf(options).inverse());
+}
+
 PathStage pathStage(const process::Planner& planner, const scan::FittedScan& scan, const std::string& frame,
                     const JobOptions& options, const Progress& progress) {
-  return described(planner.plan({&scan, frame}, progress), scan, options);
+  return described(planner.plan(inputOf(scan, frame, options), progress), scan, options);
 }
 
 PathStage pathWithout(const process::Planner& planner, const PathStage& whole,
                       const std::set<toolpath::WaypointIndex>& left_out, const scan::FittedScan& scan,
                       const std::string& frame, const JobOptions& options, const Progress& progress) {
-  return described(planner.without(whole.planned, left_out, {&scan, frame}, progress), scan, options);
+  return described(planner.without(whole.planned, left_out, inputOf(scan, frame, options), progress), scan, options);
 }
 
 PathStage airRun(PathStage path, const Cell& cell, const program::ProgramOptions& options) {

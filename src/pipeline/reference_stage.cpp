@@ -14,9 +14,9 @@ namespace {
 using geometry::Frame;
 using geometry::Vector3;
 
-constexpr double along = 2e-3;        // [m] between looks along the rows
-constexpr double across = 1e-4;       // [m] across them: a cusp falls by a tenth of what a look misses it by
-constexpr double above = 1.0;         // [m] over the scan's origin, where the looks start
+constexpr double along = 2e-3;         // [m] between looks along the rows
+constexpr double across = 1e-4;        // [m] across them: a cusp falls by a tenth of what a look misses it by
+constexpr double above = 1.0;          // [m] over the scan's origin, where the looks start
 constexpr double highest_cusp = 1e-3;  // [m]; more counts as uncut
 
 /// A grid over the outline, its x axis along the rows.
@@ -45,13 +45,14 @@ bool isMachined(const scan::OutlineTest& part, const Vector3& p, double margin) 
 
 /// The reference's points over the machined part.
 std::vector<geometry::SurfacePoint> machinedPoints(const scan::FittedScan& scan, double direction, double edge_margin,
-                                                   const geometry::Surface& reference) {
+                                                   const toolpath::Region& region, const geometry::Surface& reference) {
   auto points = verification::sampleSurface(reference, gridOver(scan, direction));
   const scan::OutlineTest part(scan.outline);
   const Frame T_scan_cloud = scan.T_cloud_scan.inverse();
   points.erase(std::remove_if(points.begin(), points.end(),
                               [&](const auto& point) {
-                                return !isMachined(part, T_scan_cloud * point.point, edge_margin);
+                                return !region.contains(point.point) ||
+                                       !isMachined(part, T_scan_cloud * point.point, edge_margin);
                               }),
                points.end());
   return points;
@@ -61,7 +62,7 @@ std::vector<geometry::SurfacePoint> machinedPoints(const scan::FittedScan& scan,
 
 std::vector<Accuracy> compareWithReference(const toolpath::ToolPath& path, const scan::FittedScan& scan,
                                            const process::CuttingOptions& options, const geometry::Surface& reference,
-                                           int threads) {
+                                           const toolpath::Region& region, int threads) {
   const auto deviation = verification::measureDeviation(path, reference);
   std::vector<Accuracy> figures = {{"reference_path_rms", deviation.rms, "m"},
                                    {"reference_path_mean", deviation.mean, "m"},
@@ -70,14 +71,14 @@ std::vector<Accuracy> compareWithReference(const toolpath::ToolPath& path, const
                                    {"reference_normal_largest", deviation.normal_largest, "rad"},
                                    {"reference_contacts", static_cast<double>(deviation.contacts), "1"}};
   const double direction = options.row_source == process::RowSource::surface ? options.direction : 0.0;
-  const auto points = machinedPoints(scan, direction, options.edge_margin, reference);
+  const auto points = machinedPoints(scan, direction, options.edge_margin, region, reference);
   if (points.empty()) return figures;
   const auto scallop = verification::checkScallops(path, options.ball_radius, points, highest_cusp, threads);
   figures.push_back({"reference_scallop_largest", scallop.highest, "m"});
   figures.push_back({"reference_scallop_mean", scallop.mean, "m"});
   figures.push_back({"reference_deepest_cut", scallop.deepest_cut, "m"});
-  figures.push_back({"reference_uncut_share",
-                     static_cast<double>(scallop.uncut) / static_cast<double>(scallop.points), "1"});
+  figures.push_back(
+      {"reference_uncut_share", static_cast<double>(scallop.uncut) / static_cast<double>(scallop.points), "1"});
   return figures;
 }
 

@@ -35,6 +35,11 @@ struct ToJson {
   Json operator()(const Eigen::Vector3d* value) const { return {value->x(), value->y(), value->z()}; }
   Json operator()(const std::vector<double>* value) const { return *value; }
   Json operator()(const std::vector<std::string>* value) const { return *value; }
+  Json operator()(const std::vector<Eigen::Vector2d>* value) const {
+    Json points = Json::array();
+    for (const auto& point : *value) points.push_back({point.x(), point.y()});
+    return points;
+  }
   Json operator()(const EnumReference& value) const { return value.names[value.get()]; }
 };
 

@@ -8,11 +8,15 @@
 #include <sstream>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/process/row_directions.h"
+#include "scan_to_path/process/row_plan.h"
 #include "scan_to_path/process/scan_line_rows.h"
 #include "scan_to_path/process/surface_rows.h"
 #include "scan_to_path/toolpath/ball_tool.h"
 #include "scan_to_path/toolpath/contact_frame.h"
 #include "scan_to_path/toolpath/gouge.h"
+#include "scan_to_path/toolpath/region.h"
+#include "scan_to_path/toolpath/row_selection.h"
 #include "scan_to_path/toolpath/scallop.h"
 
 namespace scan_to_path::process {
@@ -56,26 +60,14 @@ Segment rowSegment(const Row& row, const scan::Frame& T_cloud_scan, double allow
   return segment;
 }
 
-/// Rows in the order in which they are driven: pieces of a row in its own direction.
-std::vector<Row> driven(const std::vector<Row>& rows, RowOrder order) {
-  std::vector<Row> sorted = rows;
-  if (order == RowOrder::one_way) return sorted;
-  for (auto begin = sorted.begin(); begin != sorted.end();) {
-    const auto end = std::find_if(begin, sorted.end(), [&](const Row& row) { return row.row != begin->row; });
-    if (begin->row % 2 != 0) std::reverse(begin, end);
-    begin = end;
-  }
-  return sorted;
-}
-
 void addRows(ToolPath& path, std::vector<double>& allowances, const RowPlan& plan, const scan::Frame& T_cloud_scan,
              const CuttingOptions& options) {
-  const auto rows = driven(plan.rows, options.row_order);
+  const RowDirections directions(options.row_order, options.reverse_rows);
+  const auto rows = directions.driven(plan.rows);
   for (int pass = 0; pass < passCount(options); ++pass) {
     const double allowance = allowanceOf(options, pass);
     for (const Row& row : rows) {
-      const bool forward = options.row_order == RowOrder::one_way || row.row % 2 == 0;
-      path.segments.push_back(rowSegment(row, T_cloud_scan, allowance, forward, options.feed));
+      path.segments.push_back(rowSegment(row, T_cloud_scan, allowance, directions.isForward(row.row), options.feed));
       path.segments.back().name = rowName(options, pass, row);
       allowances.push_back(allowance);
     }
@@ -111,7 +103,6 @@ std::vector<Segment> rowsOf(const ToolPath& path) {
 }
 
 void addDistances(std::vector<Figure>& figures, std::vector<double> distances) {
-  if (distances.empty()) return;
   std::sort(distances.begin(), distances.end());
   figures.push_back({"row_distance_min", distances.front(), "m"});
   figures.push_back({"row_distance_median", distances[distances.size() / 2], "m"});
@@ -119,14 +110,16 @@ void addDistances(std::vector<Figure>& figures, std::vector<double> distances) {
 }
 
 std::vector<Figure> rowFigures(const RowPlan& plan) {
-  std::vector<Figure> figures = {{"rows", static_cast<double>(plan.distances.size() + 1), ""}};
+  std::vector<Figure> figures = {{"rows", static_cast<double>(rowCount(plan.rows)), ""}};
+  if (plan.distances.empty()) return figures;
   addDistances(figures, plan.distances);
   figures.push_back({"scallop", plan.widest_scallop, "m"});
   return figures;
 }
 
 void setFigure(std::vector<Figure>& figures, const Figure& figure) {
-  const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.name == figure.name; });
+  const auto found =
+      std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.name == figure.name; });
   if (found == figures.end()) {
     figures.push_back(figure);
   } else {
@@ -136,11 +129,10 @@ void setFigure(std::vector<Figure>& figures, const Figure& figure) {
 
 void setTravelFigures(PlannedPath& planned) {
   const toolpath::Travel travel = toolpath::travelOf(planned.path);
-  for (const Figure& figure : {Figure{"waypoints", static_cast<double>(toolpath::waypointCount(planned.path)), ""},
-                               Figure{"cutting_length", travel.worked, "m"},
-                               Figure{"path_length", travel.length, "m"},
-                               Figure{"time", travel.time, "s"},
-                               Figure{"gouges", static_cast<double>(planned.findings.size()), ""}}) {
+  for (const Figure& figure :
+       {Figure{"waypoints", static_cast<double>(toolpath::waypointCount(planned.path)), ""},
+        Figure{"cutting_length", travel.worked, "m"}, Figure{"path_length", travel.length, "m"},
+        Figure{"time", travel.time, "s"}, Figure{"gouges", static_cast<double>(planned.findings.size()), ""}}) {
     setFigure(planned.figures, figure);
   }
 }
@@ -151,8 +143,11 @@ public:
 
   PlannedPath plan(const PlannerInput& input, const Progress& progress) const override {
     const scan::FittedScan& scan = scanOf(input);
-    const RowPlan rows = options_.row_source == RowSource::surface ? surfaceRows(scan, options_, progress)
-                                                                   : scanLineRows(scan, options_);
+    const toolpath::Region region(options_.region, input.T_input_workobject.inverse() * scan.T_cloud_scan);
+    const RowPlan rows = options_.row_source == RowSource::surface ? surfaceRows(scan, options_, progress, region)
+                                                                   : scanLineRows(scan, options_, region);
+    checkThatRowsAreThere(options_.skip_rows, "path.skip_rows", rows.last_row);
+    checkThatRowsAreThere(options_.reverse_rows, "path.reverse_rows", rows.last_row);
     PlannedPath planned;
     planned.path.process = "cutting";
     planned.path.frame = input.frame;
@@ -242,6 +237,9 @@ void validateCutting(const CuttingOptions& options, const std::string& path) {
          << options.ball_radius << " m";
     throw InputError(text.str());
   }
+  toolpath::validateRegion(options.region, path + ".region");
+  toolpath::RowSelection::parse(options.skip_rows, path + ".skip_rows");
+  toolpath::RowSelection::parse(options.reverse_rows, path + ".reverse_rows");
 }
 
 std::unique_ptr<Planner> makeCuttingPlanner(const CuttingOptions& options) {

@@ -7,7 +7,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/nurbs/curve.h"
-#include "scan_to_path/process/row_scallop.h"
+#include "scan_to_path/process/row_plan.h"
 #include "scan_to_path/scan/normals.h"
 #include "scan_to_path/scan/resample.h"
 
@@ -68,65 +68,55 @@ std::vector<RowPoint> inScanFrame(const scan::OrientedLine& line, const scan::Fr
   return points;
 }
 
-std::vector<Row> piecesOfLines(const scan::FittedScan& scan, const CuttingOptions& options) {
+bool isLongEnough(const Row& row) {
+  return row.points.size() >= 2 && row.points.back().t - row.points.front().t >= shortest_piece;
+}
+
+/// Pieces of rows, and the numbers of the rows that there would be without a region.
+struct Pieces {
+  std::vector<Row> rows;
+  std::vector<int> numbers;
+};
+
+Pieces piecesOfLines(const scan::FittedScan& scan, const CuttingOptions& options, const toolpath::Region& region) {
   const scan::NormalEstimator estimator(scan, options.normals);
   const scan::Frame T_scan_cloud = scan.T_cloud_scan.inverse();
-  std::vector<Row> pieces;
+  Pieces pieces;
   for (std::size_t i = 0; i < scan.lines.size(); ++i) {
     const FittedLine line = trimmed(scan.lines[i], options.edge_margin);
     if (!(line.begin < line.end)) continue;
+    const auto pointsOf = [&](const std::vector<double>& parameters) {
+      return inScanFrame(estimator.orient(static_cast<int>(i), parameters), T_scan_cloud);
+    };
+    const auto parameters = waypointParameters(line, options);
     Row row;
     row.row = line.row;
-    row.points = inScanFrame(estimator.orient(static_cast<int>(i), waypointParameters(line, options)), T_scan_cloud);
-    if (row.points.size() < 2 || row.points.back().t - row.points.front().t < shortest_piece) continue;
-    pieces.push_back(std::move(row));
+    row.points = pointsOf(parameters);
+    if (!isLongEnough(row)) continue;
+    if (pieces.numbers.empty() || pieces.numbers.back() != row.row) pieces.numbers.push_back(row.row);
+    const auto place = [&](double u) -> Vector3 { return T_scan_cloud * nurbs::pointAt(line.curve, u); };
+    for (const auto& stretch : region.inside(place, parameters)) {
+      FittedLine part = line;
+      part.begin = stretch.begin;
+      part.end = stretch.end;
+      const bool is_whole = stretch.begin == line.begin && stretch.end == line.end;
+      if (!is_whole) row.points = pointsOf(waypointParameters(part, options));
+      if (isLongEnough(row)) pieces.rows.push_back(row);
+    }
   }
   return pieces;
 }
 
-double meanAcross(const std::vector<Row>& pieces) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const Row& piece : pieces) {
-    for (const RowPoint& p : piece.points) sum += p.point.y();
-    count += piece.points.size();
-  }
-  return sum / static_cast<double>(count);
-}
-
-/// Rows and what lies between neighbours, from pieces sorted by row.
-RowPlan planOf(const std::vector<Row>& pieces, const toolpath::ScanSurface& surface, double ball_radius) {
-  RowPlan plan;
-  std::vector<Row> before;
-  for (auto begin = pieces.begin(); begin != pieces.end();) {
-    const auto end = std::find_if(begin, pieces.end(), [&](const Row& row) { return row.row != begin->row; });
-    std::vector<Row> row(begin, end);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      row[i].piece = static_cast<int>(i);
-      row[i].pieces = static_cast<int>(row.size());
-    }
-    if (!before.empty()) {
-      plan.distances.push_back(std::abs(meanAcross(row) - meanAcross(before)));
-      const double scallop = widestScallop(before, row, surface, ball_radius).value_or(0.0);
-      checkThatBallsMeet(scallop, begin->row, ball_radius);
-      plan.widest_scallop = std::max(plan.widest_scallop, scallop);
-    }
-    plan.rows.insert(plan.rows.end(), row.begin(), row.end());
-    before = std::move(row);
-    begin = end;
-  }
-  return plan;
-}
-
 }  // namespace
 
-RowPlan scanLineRows(const scan::FittedScan& scan, const CuttingOptions& options) {
-  const std::vector<Row> pieces = piecesOfLines(scan, options);
-  if (pieces.empty()) {
+RowPlan scanLineRows(const scan::FittedScan& scan, const CuttingOptions& options, const toolpath::Region& region) {
+  const Pieces pieces = piecesOfLines(scan, options, region);
+  if (pieces.numbers.empty()) {
     throw InputError("cutting: none of " + std::to_string(scan.lines.size()) +
                      " fitted lines is longer than the edge margins");
   }
-  return planOf(pieces, toolpath::ScanSurface(scan.surface), options.ball_radius);
+  return planOf(withoutSkipped(pieces.rows, options.skip_rows), pieces.numbers, Eigen::Vector2d::UnitY(),
+                toolpath::ScanSurface(scan.surface), options.ball_radius);
 }
 
 }  // namespace scan_to_path::process

@@ -8,6 +8,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/process/row_plan.h"
 #include "scan_to_path/process/row_scallop.h"
 #include "scan_to_path/toolpath/outline_clip.h"
 #include "scan_to_path/toolpath/scallop.h"
@@ -78,6 +79,24 @@ public:
     for (Row& row : rows) row.pieces = static_cast<int>(rows.size());
     return rows;
   }
+
+  /// The pieces of a row in a region; the row itself where it is whole.
+  std::vector<Row> inRegion(const Row& row, const toolpath::Region& region) const {
+    const double s = across_.dot(row.points.front().point.head<2>());
+    std::vector<double> places;
+    for (const RowPoint& p : row.points) places.push_back(p.t);
+    std::vector<Row> pieces;
+    for (const Interval& interval : region.inside([&](double t) { return pointAt(t, s).point; }, places)) {
+      if (interval.end - interval.begin < shortest_row) continue;
+      pieces.push_back(row);
+      const bool is_whole = interval.begin == places.front() && interval.end == places.back();
+      if (!is_whole) pieces.back().points = sampled(interval, s);
+    }
+    return pieces;
+  }
+
+  /// Unit, in the scan plane.
+  const Vector2d& across() const { return across_; }
 
   /// How far the next row's plane may be by the exact rule with this row's curvatures and slopes; NaN without a row.
   double ruleDistance(const std::vector<Row>& rows) const {
@@ -233,9 +252,24 @@ void checkRowCount(double count, const CuttingOptions& options) {
                    "number of rows", fixed(std::ceil(count), 0), "at most " + std::to_string(most_rows));
 }
 
+/// What of the whole part's rows is driven.
+RowPlan chosenRows(const RowMaker& maker, const RowPlan& whole, const CuttingOptions& options,
+                   const toolpath::Region& region) {
+  std::vector<int> numbers;
+  std::vector<Row> pieces;
+  for (const Row& row : whole.rows) {
+    if (numbers.empty() || numbers.back() != row.row) numbers.push_back(row.row);
+    for (Row& piece : maker.inRegion(row, region)) pieces.push_back(std::move(piece));
+  }
+  return planOf(withoutSkipped(std::move(pieces), options.skip_rows), numbers, maker.across(), maker.surface(),
+                options.ball_radius);
+}
+
 }  // namespace
 
-RowPlan surfaceRows(const scan::FittedScan& scan, const CuttingOptions& options, const Progress& progress) {
+RowPlan surfaceRows(const scan::FittedScan& scan, const CuttingOptions& options, const Progress& progress,
+                    const toolpath::Region& region) {
+  const bool takes_all = region.isEverything() && options.skip_rows.empty();
   const RowMaker maker(scan, options);
   const double first = maker.edge(1);
   const double last = maker.edge(-1);
@@ -249,14 +283,15 @@ RowPlan surfaceRows(const scan::FittedScan& scan, const CuttingOptions& options,
     checkRowCount(++number, options);
     NextRow next = options.pitch > 0.0 ? rowAt(maker, before, std::min(s + options.pitch, last), number, options)
                                        : nextByScallop(maker, before, s, last, number, options);
-    checkThatBallsMeet(next.scallop, number, options.ball_radius);
+    if (takes_all) checkThatBallsMeet(next.scallop, number, options.ball_radius);
     plan.distances.push_back(next.s - s);
     plan.widest_scallop = std::max(plan.widest_scallop, next.scallop);
     plan.rows.insert(plan.rows.end(), next.rows.begin(), next.rows.end());
     s = next.s;
     before = std::move(next.rows);
   }
-  return plan;
+  plan.last_row = number;
+  return takes_all ? plan : chosenRows(maker, plan, options, region);
 }
 
 }  // namespace scan_to_path::process

@@ -3,7 +3,6 @@
 #include "scan_to_path_ros/path_drawing.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "scan_to_path/common/error.h"
@@ -17,29 +16,6 @@ using core::toolpath::Segment;
 using core::toolpath::Verdict;
 
 using SegmentVerdicts = std::vector<Verdict>;
-
-/// A whole, unsigned number at the front of `text`, taken off it.
-std::optional<int> takeNumber(std::string_view& text) {
-  int number = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (end.ec != std::errc() || number < 0) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end.ptr - text.data()));
-  return number;
-}
-
-std::pair<int, int> parseRange(std::string_view text) {
-  std::string_view rest = text;
-  const auto first = takeNumber(rest);
-  auto last = first;
-  if (first && !rest.empty() && rest.front() == '-') {
-    rest.remove_prefix(1);
-    last = takeNumber(rest);
-  }
-  if (!first || !last || !rest.empty() || *last < *first) {
-    throw core::InputError("rows: \"" + std::string(text) + "\" is neither a number nor a range such as 7-9");
-  }
-  return {*first, *last};
-}
 
 /// One verdict for each waypoint.
 std::vector<SegmentVerdicts> spread(const core::toolpath::ToolPath& path,
@@ -140,27 +116,6 @@ void addFigures(PathDrawing& drawing, const Segment& segment, const SegmentVerdi
 
 }  // namespace
 
-RowSelection RowSelection::parse(const std::string& text) {
-  RowSelection selection;
-  const std::string_view list = core::trimmed(text);
-  if (list.empty() || list == "all") return selection;
-  for (const auto entry : core::split(list, ',')) selection.ranges_.push_back(parseRange(core::trimmed(entry)));
-  return selection;
-}
-
-bool RowSelection::contains(int row) const {
-  return all() || std::any_of(ranges_.begin(), ranges_.end(),
-                              [&](const auto& range) { return range.first <= row && row <= range.second; });
-}
-
-std::optional<int> rowNumber(const std::string& segment) {
-  constexpr std::string_view word = "row_";
-  const auto at = segment.find(word);
-  if (at == std::string::npos) return std::nullopt;
-  std::string_view rest = std::string_view(segment).substr(at + word.size());
-  return takeNumber(rest);
-}
-
 PathDrawing drawPath(const core::toolpath::ToolPath& path, const std::vector<core::toolpath::WaypointVerdict>& verdicts,
                      const PathDrawingOptions& options) {
   if (options.strip_points < 2) throw core::InputError("a strip takes 2 points at least");
@@ -171,7 +126,7 @@ PathDrawing drawPath(const core::toolpath::ToolPath& path, const std::vector<cor
     const Segment& segment = path.segments[s];
     const auto way = wayTo(segment);
     addFigures(drawing, segment, of_waypoints[s], way);
-    const auto row = rowNumber(segment.name);
+    const auto row = core::toolpath::rowNumber(segment.name);
     const bool shown = row ? options.rows.contains(*row) : options.links;
     drawing.rows += row ? 1 : 0;
     drawing.rows_shown += row && shown ? 1 : 0;

@@ -206,7 +206,8 @@ bool ToolPathDisplay::byVerdict() const { return color_by_->getOptionInt() == by
 
 scan_to_path_ros::PathDrawingOptions ToolPathDisplay::drawingOptions() const {
   scan_to_path_ros::PathDrawingOptions options;
-  options.rows = scan_to_path_ros::RowSelection::parse(rows_->getStdString());
+  const std::string rows = rows_->getStdString();
+  if (!scan_to_path::trimmed(rows).empty()) options.rows = scan_to_path::toolpath::RowSelection::parse(rows, "rows");
   options.links = links_->getBool();
   options.arrow_interval = arrow_interval_->getFloat();
   options.arrow_size = arrow_size_->getFloat();

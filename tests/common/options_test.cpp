@@ -33,9 +33,11 @@ struct Inner {
 
 struct Lists {
   std::vector<double> feeds = {0.1, 0.2};
+  std::vector<Eigen::Vector2d> corners = {{0.0, 1.0}};
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.feeds, Field{"feeds", "m/s", "one per pass", 0.0, 1.0});
+    visit(self.corners, Field{"corners", "m", "", -1.0, 1.0});
   }
 };
 
@@ -91,6 +93,9 @@ TEST(Options, RangesHoldForEveryElementOfAList) {
   EXPECT_NO_THROW(validate(options, "o"));
   options.feeds[1] = 2.0;
   expectInputError([&] { validate(options, "o"); }, "o.feeds[1] is 2 m/s, must be in [0, 1]");
+  options.feeds[1] = 1.0;
+  options.corners.emplace_back(0.5, std::nan(""));
+  expectInputError([&] { validate(options, "o"); }, "o.corners[1][1] is nan m, must be in [-1, 1]");
 }
 
 TEST(Options, OptionStructsAreToldFromOtherTypes) {

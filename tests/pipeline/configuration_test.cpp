@@ -31,6 +31,7 @@ struct Outer {
   Colour colour = Colour::red;
   std::vector<double> gains = {1.0, 0.1};
   std::vector<std::string> words = {"a", "b c"};
+  std::vector<Eigen::Vector2d> corners;
   Inner inner;
 
   template <class Self, class Visitor>
@@ -41,6 +42,7 @@ struct Outer {
     visit(self.colour, Field{"colour", "", "paint"});
     visit(self.gains, Field{"gains", "1/s"});
     visit(self.words, Field{"words"});
+    visit(self.corners, Field{"corners", "m", "of something", -5.0, 5.0});
     visit(self.inner, Field{"inner"});
   }
 };
@@ -75,14 +77,14 @@ TEST(Configuration, ListsLeavesInDeclaredOrder) {
   Outer outer;
   std::vector<std::string> paths;
   for (const auto& field : fieldReferences(outer)) paths.push_back(field.path);
-  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "inner.length",
+  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "corners", "inner.length",
                                             "inner.axis"));
 }
 
 TEST(Configuration, AppliesEveryType) {
   Outer outer;
   applyYaml(fieldReferences(outer),
-            "count: 7\non: true\nname: 'x: y'\ncolour: dark_green\ngains: [3, 4e-3]\nwords: [p]\n"
+            "count: 7\non: true\nname: 'x: y'\ncolour: dark_green\ngains: [3, 4e-3]\nwords: [p]\ncorners: [[1, 2], [-3, 0.25]]\n"
             "inner:\n  length: 1.5\n  axis: [1, 0, 0.5]\n",
             "t");
   EXPECT_EQ(outer.count, 7);
@@ -91,6 +93,7 @@ TEST(Configuration, AppliesEveryType) {
   EXPECT_EQ(outer.colour, Colour::dark_green);
   EXPECT_EQ(outer.gains, (std::vector<double>{3.0, 4e-3}));
   EXPECT_EQ(outer.words, std::vector<std::string>{"p"});
+  EXPECT_EQ(outer.corners, (std::vector<Eigen::Vector2d>{{1.0, 2.0}, {-3.0, 0.25}}));
   EXPECT_EQ(outer.inner.length, 1.5);
   EXPECT_EQ(outer.inner.axis, Eigen::Vector3d(1.0, 0.0, 0.5));
 }
@@ -121,6 +124,9 @@ TEST(Configuration, RejectsWrongTypes) {
   EXPECT_EQ(yamlError("count: 1.5"), "cell.yaml line 1: count is '1.5', must be a whole number");
   EXPECT_EQ(yamlError("on: maybe"), "cell.yaml line 1: on is 'maybe', must be true or false");
   EXPECT_EQ(yamlError("gains: 3"), "cell.yaml line 1: gains is '3', must be a list of numbers");
+  EXPECT_EQ(yamlError("corners: [[1, 2], [3]]"), "cell.yaml line 1: corners is a list of 2, must be a list of [x, y]");
+  EXPECT_EQ(yamlError("corners: 3"), "cell.yaml line 1: corners is '3', must be a list of [x, y]");
+  EXPECT_EQ(yamlError("corners: [[1, x]]"), "cell.yaml line 1: corners is a list of 1, must be a number [m]");
   EXPECT_EQ(yamlError("\ninner: {length: wide}"), "cell.yaml line 2: inner.length is 'wide', must be a number [m]");
   EXPECT_EQ(yamlError("inner: {axis: [1, 2]}"), "cell.yaml line 1: inner.axis is a list of 2, must be a list of 3 numbers");
   EXPECT_EQ(yamlError("colour: blue"), "cell.yaml line 1: colour is 'blue', must be one of red, dark_green");
@@ -153,6 +159,7 @@ TEST(Configuration, RoundTripKeepsEveryBit) {
     written.name = random.uniform() < 0.5 ? "true \"\\ #: 1" : "";
     written.colour = random.uniform() < 0.5 ? Colour::red : Colour::dark_green;
     written.gains = {random.gaussian() * 1e-9, random.gaussian() * 1e9};
+    for (int i = 0; i < round % 3; ++i) written.corners.emplace_back(random.gaussian(), random.gaussian());
     written.inner.length = random.uniform();
     written.inner.axis = Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian());
     const std::string text = formatYaml(fieldReferences(written));
@@ -160,6 +167,7 @@ TEST(Configuration, RoundTripKeepsEveryBit) {
     applyYaml(fieldReferences(read), text, "t");
     EXPECT_EQ(formatYaml(fieldReferences(read)), text);
     EXPECT_EQ(read.inner.axis, written.inner.axis);
+    EXPECT_EQ(read.corners, written.corners);
     EXPECT_EQ(read.name, written.name);
   }
 }

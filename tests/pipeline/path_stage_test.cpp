@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 
 #include "small_scan.h"
+#include "scan_to_path/toolpath/contact_frame.h"
 #include "support/expect_input_error.h"
+#include "support/flat_plate.h"
 
 namespace scan_to_path::pipeline {
 namespace {
@@ -32,6 +34,32 @@ TEST(PathStage, NeedsTheSurface) {
   test::expectInputError([&] { makePlanner("cutting", options); }, "fit.with_surface is false");
   options.path.row_source = process::RowSource::scan_lines;
   test::expectInputError([&] { makePlanner("cutting", options); }, "path.row_source=scan_lines too");
+}
+
+// The region is the user's, over the work object frame: turned and moved there, it cuts the same of the part.
+TEST(PathStage, TakesTheRegionInTheWorkObjectFrame) {
+  JobOptions options;
+  options.cell.workpiece.xyz = {0.5, -0.2, 0.3};
+  options.cell.workpiece.rpy = {0.0, 0.0, 0.7};
+  options.path.region = {{0.02, 0.01}, {0.07, 0.01}, {0.07, 0.05}, {0.02, 0.05}};
+  options.path.skip_rows = "5";
+  const auto T = geometry::makeFrame(options.cell.workpiece.xyz, options.cell.workpiece.rpy);
+  const auto scan = test::flatPlate(T);
+  const PathStage stage = pathStage(*makePlanner("cutting", options), scan, "base_link", options, {});
+  Eigen::AlignedBox3d box;
+  for (const auto& segment : stage.planned.path.segments) {
+    for (std::size_t i = 0; toolpath::isRow(segment) && i < segment.waypoints.size(); ++i) {
+      if (toolpath::isContact(segment, i)) box.extend(T.inverse() * segment.waypoints[i].pose.translation());
+    }
+  }
+  EXPECT_NEAR(box.min().x(), 0.02, 1e-9);
+  EXPECT_NEAR(box.max().x(), 0.07, 1e-9);
+  EXPECT_GE(box.min().y(), 0.01);
+  EXPECT_LE(box.max().y(), 0.05);
+  EXPECT_TRUE(regionOf(options).contains(T * Vector3(0.03, 0.02, 9.0)));
+  EXPECT_FALSE(regionOf(options).contains(T * Vector3(0.03, 0.06, 9.0)));
+  EXPECT_THAT(stage.notes, ::testing::ElementsAre(::testing::HasSubstr("rows 5 are skipped (path.skip_rows)"),
+                                                  ::testing::HasSubstr("only what lies in path.region")));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ protected:
 
 TEST_F(ReferenceStage, MeasuresPathNormalsAndScallops) {
   const JobOptions options;
-  const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, 1);
+  const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, {}, 1);
   // 2 um of noise over 1,200 samples and about ten control points a row.
   EXPECT_LT(valueOf(figures, "reference_path_rms"), 1e-6);
   EXPECT_LT(valueOf(figures, "reference_normal_mean"), 0.02 * M_PI / 180.0);
@@ -54,15 +54,15 @@ TEST_F(ReferenceStage, SeesADroppedRow) {
       for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
     }
   }
-  const auto figures = compareWithReference(path, scan_, options.path, *reference_, 1);
+  const auto figures = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
   EXPECT_GT(valueOf(figures, "reference_scallop_largest"), 3.0 * options.path.scallop_height);
 }
 
 TEST_F(ReferenceStage, SameForAnyNumberOfThreads) {
   const JobOptions options;
   const auto path = planned(options);
-  const auto one = compareWithReference(path, scan_, options.path, *reference_, 1);
-  const auto three = compareWithReference(path, scan_, options.path, *reference_, 3);
+  const auto one = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
+  const auto three = compareWithReference(path, scan_, options.path, *reference_, {}, 3);
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].value, three[i].value) << one[i].name;
 }
 

@@ -40,6 +40,12 @@ XmlRpcValue treeOf(const pipeline::JobOptions& options) {
       leaf->setSize(static_cast<int>((*list)->size()));
       for (std::size_t i = 0; i < (*list)->size(); ++i) (*leaf)[static_cast<int>(i)] = (**list)[i];
     }
+    if (const auto* list = std::get_if<std::vector<Eigen::Vector2d>*>(&field.value)) {
+      leaf->setSize(static_cast<int>((*list)->size()));
+      for (int i = 0; i < leaf->size(); ++i) {
+        for (int k = 0; k < 2; ++k) (*leaf)[i][k] = (**list)[static_cast<std::size_t>(i)][k];
+      }
+    }
   }
   return tree;
 }
@@ -52,6 +58,7 @@ TEST(Parameters, EveryOptionComesThroughAsItIs) {
   sent.program.process_signal = "do \"spindle\", #1: 'on' \\ {x}\n";
   sent.scan.placement.max_joint_gap = 0.0123;
   sent.fit.with_surface = false;
+  sent.path.region = {{0.0, 1.0 / 3.0}, {1.0, 0.0}, {0.5, -2.0}};
   pipeline::JobOptions received;
   ASSERT_NE(yamlOf(sent), yamlOf(received));
   applyParameter(received, treeOf(sent), "/cell/configuration");

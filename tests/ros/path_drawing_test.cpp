@@ -43,32 +43,6 @@ PathDrawingOptions linesOnly() {
   return options;
 }
 
-TEST(RowSelection, takesNumbersAndRanges) {
-  const auto rows = RowSelection::parse(" 3, 7-9 ");
-  std::vector<int> chosen;
-  for (int row = 0; row < 12; ++row) {
-    if (rows.contains(row)) chosen.push_back(row);
-  }
-  EXPECT_THAT(chosen, ElementsAre(3, 7, 8, 9));
-  EXPECT_TRUE(RowSelection::parse("").contains(1234));
-  EXPECT_TRUE(RowSelection::parse("all").contains(0));
-}
-
-TEST(RowSelection, refusesWhatIsNoRange) {
-  for (const char* text : {"x", "3-", "9-7", "-3", "1 2", "1,,2", "3.5", "99999999999"}) {
-    EXPECT_THROW(RowSelection::parse(text), core::InputError) << text;
-  }
-}
-
-TEST(RowNumber, isInTheSegmentsName) {
-  EXPECT_EQ(rowNumber("row_3"), 3);
-  EXPECT_EQ(rowNumber("row_12_1"), 12);
-  EXPECT_EQ(rowNumber("pass_1_row_40"), 40);
-  EXPECT_EQ(rowNumber("link_3_4"), std::nullopt);
-  EXPECT_EQ(rowNumber("approach"), std::nullopt);
-  EXPECT_EQ(rowNumber("row_x"), std::nullopt);
-}
-
 TEST(PathDrawing, drawsEveryMoveOnce) {
   const auto path = twoRows();
   const auto drawing = drawPath(path, {}, linesOnly());
@@ -173,7 +147,7 @@ TEST(PathDrawing, framesStandAtIntervals) {
 
 TEST(PathDrawing, drawsTheRowsAskedFor) {
   auto options = linesOnly();
-  options.rows = RowSelection::parse("1");
+  options.rows = core::toolpath::RowSelection::parse("1", "rows");
   options.links = false;
   auto drawing = drawPath(twoRows(), {verdict(0, 3, Verdict::gouge)}, options);
   ASSERT_THAT(drawing.strips, SizeIs(1));

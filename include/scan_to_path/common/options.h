@@ -28,7 +28,8 @@ namespace scan_to_path {
 ///     };
 ///
 /// and every reader, writer, check and table walks that list. A field's type is bool, int, double, std::string,
-/// an enum with EnumNames, Eigen::Vector3d, a std::vector of double or std::string, or another option struct.
+/// an enum with EnumNames, Eigen::Vector3d, a std::vector of double, std::string or Eigen::Vector2d, or another option
+/// struct.
 struct Field {
   const char* name;
   const char* unit = "";
@@ -99,6 +100,12 @@ void validate(const Options& options, const std::string& path) {
     } else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>) {
       for (long i = 0; i < static_cast<long>(value.size()); ++i) {
         detail::checkNumber(value[i], field, name + "[" + std::to_string(i) + "]");
+      }
+    } else if constexpr (std::is_same_v<T, std::vector<Eigen::Vector2d>>) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        for (int k = 0; k < 2; ++k) {
+          detail::checkNumber(value[i][k], field, name + "[" + std::to_string(i) + "][" + std::to_string(k) + "]");
+        }
       }
     } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
       detail::checkNumber(static_cast<double>(value), field, name);

@@ -25,7 +25,7 @@ struct FieldReference {
   std::string path;
   Field field;
   std::variant<bool*, int*, double*, std::string*, Eigen::Vector3d*, std::vector<double>*, std::vector<std::string>*,
-               EnumReference>
+               std::vector<Eigen::Vector2d>*, EnumReference>
       value;
 };
 

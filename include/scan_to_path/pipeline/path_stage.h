@@ -12,6 +12,7 @@
 #include "scan_to_path/pipeline/report.h"
 #include "scan_to_path/process/planner.h"
 #include "scan_to_path/program/options.h"
+#include "scan_to_path/toolpath/region.h"
 
 namespace scan_to_path::pipeline {
 
@@ -24,6 +25,9 @@ struct PathStage {
 
 /// The planner of `process`. Throws InputError for a process that is not there, naming those that are.
 std::unique_ptr<process::Planner> makePlanner(const std::string& process, const JobOptions& options);
+
+/// What of the part is machined: path.region over the work object frame, asked about points in base_link.
+toolpath::Region regionOf(const JobOptions& options);
 
 /// Plans with a planner. `frame` is the name of the scan's frame.
 PathStage pathStage(const process::Planner& planner, const scan::FittedScan& scan, const std::string& frame,

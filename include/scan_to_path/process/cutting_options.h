@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
 #include "scan_to_path/common/options.h"
 #include "scan_to_path/scan/normals.h"
 #include "scan_to_path/toolpath/modifiers.h"
@@ -32,6 +36,9 @@ struct CuttingOptions {
   double depth_of_cut = 1e-3;
   double feed = 0.02;
   double gouge_tolerance = 5e-5;
+  std::vector<Eigen::Vector2d> region;
+  std::string skip_rows;
+  std::string reverse_rows;
   toolpath::LeadOptions leads;
   toolpath::LinkOptions links;
 
@@ -53,12 +60,17 @@ struct CuttingOptions {
     visit(self.depth_of_cut, Field{"depth_of_cut", "m", "most that one pass takes off", 1e-6, 1.0});
     visit(self.feed, Field{"feed", "m/s", "while cutting", 1e-5, 10.0});
     visit(self.gouge_tolerance, Field{"gouge_tolerance", "m", "depth of the ball in the surface that is still no gouge", 0.0, 0.01});
+    visit(self.region,
+          Field{"region", "m", "corners [x, y] in the work object frame of what is machined, seen along its z; none: all", -100.0, 100.0});
+    visit(self.skip_rows, Field{"skip_rows", "", "numbers of rows that are not driven, such as 3, 7-9"});
+    visit(self.reverse_rows, Field{"reverse_rows", "", "numbers of rows that are driven the other way round"});
     visit(self.leads, Field{"leads", "", "runs onto and off a row"});
     visit(self.links, Field{"links", "", "moves between rows"});
   }
 };
 
-/// Throws InputError naming the first value outside its range, or a scallop height that the ball cannot leave.
+/// Throws InputError naming the first value outside its range, a scallop height that the ball cannot leave, a region
+/// that bounds nothing, or rows that are no numbers.
 void validateCutting(const CuttingOptions& options, const std::string& path);
 
 }  // namespace scan_to_path::process

@@ -19,6 +19,7 @@ namespace scan_to_path::process {
 struct PlannerInput {
   const scan::FittedScan* scan = nullptr;
   std::string frame;  ///< name of the frame the input is in, e.g. "base_link"
+  geometry::Frame T_input_workobject = geometry::Frame::Identity();  ///< frame of the user's region
 };
 
 /// A number worth reporting, with its unit.

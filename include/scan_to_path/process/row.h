@@ -29,8 +29,9 @@ struct Row {
 /// The rows of a path before they are driven: order across, then along.
 struct RowPlan {
   std::vector<Row> rows;
-  std::vector<double> distances;  ///< of neighbouring rows' planes [m]
-  double widest_scallop = 0.0;    ///< left between neighbouring rows on the fitted surface [m]
+  int last_row = 0;               ///< number of the whole part's last row, driven or not
+  std::vector<double> distances;  ///< of neighbouring rows' planes [m]; none over rows that are left out
+  double widest_scallop = 0.0;    ///< left between these neighbours on the fitted surface [m]
 };
 
 }  // namespace scan_to_path::process
