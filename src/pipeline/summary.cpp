@@ -25,6 +25,7 @@ std::string shown(double value, const std::string& unit) {
   if (unit == "m" && std::abs(value) < 1e-4) return fixed(1e6 * value, 2) + " um";
   if (unit == "m" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " mm";
   if (unit == "m") return fixed(value, 3) + " m";
+  if (unit == "m^2") return fixed(1e6 * value, 1) + " mm^2";
   if (unit == "rad") return fixed(value * 180.0 / M_PI, std::abs(value) < 1e-6 ? 9 : 5) + " deg";
   if (unit == "s" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " ms";
   if (unit == "s") return fixed(value, 1) + " s";
@@ -106,6 +107,14 @@ void addLeftOut(std::vector<std::string>& lines, const Report& report) {
   }
 }
 
+/// What no row reaches: the summary's own line, where there is any.
+std::string uncoveredText(const Report& report) {
+  const Accuracy* area = find(report, "path_uncovered_area");
+  const Accuracy* share = find(report, "path_uncovered_share");
+  if (area == nullptr || share == nullptr || area->value <= 0.0) return "";
+  return shown(area->value, area->unit) + ", " + fixed(100.0 * share->value, 2) + " % of the part's outline";
+}
+
 /// What was planned and, of a partial path, the share of it that is not driven.
 std::string pathText(const Report& report) {
   std::string text = figures(report, {{"path_rows", "rows"},
@@ -133,6 +142,7 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
                        {"surface_residual_rms", "surface to RMS"},
                        {"between_rows_rms", "between rows RMS"}}));
   add(lines, "path", pathText(report));
+  add(lines, "uncovered", uncoveredText(report));
   add(lines, "reference",
       figures(report, {{"reference_path_rms", "path off it RMS"},
                        {"reference_path_largest", "max"},

@@ -12,6 +12,7 @@
 #include "scan_to_path/process/row_plan.h"
 #include "scan_to_path/process/scan_line_rows.h"
 #include "scan_to_path/process/surface_rows.h"
+#include "scan_to_path/process/uncovered_area.h"
 #include "scan_to_path/toolpath/ball_tool.h"
 #include "scan_to_path/toolpath/contact_frame.h"
 #include "scan_to_path/toolpath/gouge.h"
@@ -155,7 +156,7 @@ public:
     planned.passes = passCount(options_);
     planned.figures = rowFigures(rows);
     addRows(planned.path, planned.allowances, rows, scan.T_cloud_scan, options_);
-    join(planned, scan, {});
+    join(planned, scan, {}, rowFigures(rows));
     for (std::size_t s = 0; s < planned.path.segments.size(); ++s) {
       const Segment& segment = planned.path.segments[s];
       const RowPart row = {static_cast<int>(s), static_cast<int>(firstContact(segment))};
@@ -178,7 +179,7 @@ public:
       for (const RowPart& part : cut.parts) {
         planned.allowances.push_back(whole.allowances[static_cast<std::size_t>(part.source)]);
       }
-      join(planned, scanOf(input), rowsOf(whole.path));
+      join(planned, scanOf(input), rowsOf(whole.path), whole.figures);
       planned.parts = withLinksBetween(planned.path, cut.parts, RowPart{});
     }
     progress.update("path", 1.0);
@@ -201,8 +202,21 @@ private:
     return links;
   }
 
+  /// What rows beside each other leave, as meant or as their given distance has it, with some of it for what lies
+  /// between the places where it was looked for.
+  double heightLeft(const std::vector<Figure>& figures) const {
+    constexpr double more = 1.05;
+    double left = options_.scallop_height;
+    for (const Figure& figure : figures) {
+      if (figure.name == "scallop") left = std::max(left, figure.value);
+    }
+    return more * left;
+  }
+
   /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.
-  void join(PlannedPath& planned, const scan::FittedScan& scan, std::vector<Segment> also_below) const {
+  /// `whole_figures` are those of the path as first planned.
+  void join(PlannedPath& planned, const scan::FittedScan& scan, std::vector<Segment> also_below,
+            const std::vector<Figure>& whole_figures) const {
     const std::vector<Segment> obstacles = obstaclesBelow(scan);
     also_below.insert(also_below.end(), obstacles.begin(), obstacles.end());
     planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
@@ -212,9 +226,13 @@ private:
     planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
     const auto target = options_.row_source == RowSource::scan_lines ? toolpath::GougeTarget::surface_and_lines
                                                                      : toolpath::GougeTarget::surface;
+    const UncoveredArea uncovered =
+        uncoveredArea(planned.path, planned.allowances, scan, options_.ball_radius, heightLeft(whole_figures));
     const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance, target);
     planned.findings = gouges.check(planned.path, planned.allowances);
     setTravelFigures(planned);
+    setFigure(planned.figures, {"uncovered_area", uncovered.area, "m^2"});
+    setFigure(planned.figures, {"uncovered_share", uncovered.share, "1"});
   }
 
   CuttingOptions options_;
