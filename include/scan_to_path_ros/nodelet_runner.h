@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scan_to_path/pipeline/stage_runner.h"
+#include "scan_to_path_ros/review.h"
 #include "scan_to_path_ros/stage_results.h"
 
 namespace scan_to_path_ros {
@@ -32,6 +33,10 @@ public:
   scan_to_path::pipeline::MotionStage motion(const scan_to_path::pipeline::PathStage& driven,
                                              const scan_to_path::Progress& progress) override;
 
+  /// Waits for the word of who reviews the job; without a reviewer: yes.
+  bool accepts(const scan_to_path::Progress& progress) override;
+  void setReview(Review* review) { review_ = review; }
+
   /// From the last sample placed until the path was planned [s of wall time]; nothing while there is no path.
   std::optional<double> pathDelay() const { return path_delay_; }
 
@@ -43,6 +48,7 @@ private:
   ros::NodeHandle nodes_;
   StageResults& results_;
   ScanWaiting waiting_;
+  Review* review_ = nullptr;
   std::optional<scan_to_path::program::ProgramFile> record_;
   ros::WallTime scanned_;
   std::optional<double> path_delay_;

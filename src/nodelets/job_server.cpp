@@ -37,6 +37,7 @@ private:
     waiting_.silence = scan_to_path_ros::parameter(own, "silence", waiting_.silence);
     const double stage_silence = scan_to_path_ros::parameter(own, "stage_silence", 60.0);
     results_ = std::make_unique<scan_to_path_ros::StageResults>(getNodeHandle(), stage_silence);
+    review_ = std::make_unique<scan_to_path_ros::Review>(own);
     cancel_ = getNodeHandle().advertise<std_msgs::Empty>("cancel", 1);
     server_ = std::make_unique<Server>(
         own, "run", [this](Goal goal) { accept(goal); }, [this](Goal goal) { cancel(goal); }, false);
@@ -79,6 +80,9 @@ private:
     } catch (const scan_to_path::InputError& error) {
       result.exit = 2;
       result.summary = {error.what()};
+    } catch (const scan_to_path::Rejected& rejected) {
+      result.exit = 130;
+      result.summary = {rejected.what()};
     } catch (const scan_to_path::Interrupted&) {
       result.exit = 130;
       result.summary = {"cancelled"};
@@ -130,6 +134,7 @@ private:
     request.package_path = scan_to_path_ros::packagePath();
     const auto cell = scan_to_path::pipeline::makeCell(options.cell, request.package_path);
     scan_to_path_ros::NodeletRunner stages(getNodeHandle(), *results_, waiting_, request, options, cell);
+    if (goal.review != 0) stages.setReview(review_.get());
     auto done = scan_to_path::pipeline::runJob(request, options, cell, stages, progress);
     if (const auto delay = stages.pathDelay()) {
       done.summary.push_back("timing    path ready " + scan_to_path::fixed(*delay, 3) + " s after the last sample");
@@ -150,6 +155,7 @@ private:
 
   scan_to_path_ros::ScanWaiting waiting_;
   std::unique_ptr<scan_to_path_ros::StageResults> results_;
+  std::unique_ptr<scan_to_path_ros::Review> review_;
   ros::Publisher cancel_;
   std::unique_ptr<Server> server_;
   std::mutex mutex_;

@@ -36,6 +36,7 @@ public:
     if (request_.reference && reaches(Stage::path)) reference();
     input();
     if (reaches(Stage::program)) program();
+    if (!stages_.accepts(progress_)) throw Rejected();
     return output_.write(request_, options_, timing_, progress_);
   }
 

@@ -103,4 +103,8 @@ pipeline::MotionStage NodeletRunner::motion(const pipeline::PathStage&, const sc
   return fromMsg(*results_.motionPlan(progress));
 }
 
+bool NodeletRunner::accepts(const scan_to_path::Progress& progress) {
+  return review_ == nullptr || review_->wait(progress);
+}
+
 }  // namespace scan_to_path_ros

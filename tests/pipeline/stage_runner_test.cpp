@@ -40,7 +40,12 @@ public:
     asked.push_back("motion");
     return StageRunner::motion(driven, progress);
   }
+  bool accepts(const Progress&) override {
+    asked.push_back("accepts");
+    return wanted;
+  }
   std::vector<std::string> asked;
+  bool wanted = true;
 
 private:
   ScanStage scan_;
@@ -78,7 +83,7 @@ TEST_F(StageRunnerTest, WhoeverRunsTheStagesTheFilesAreTheSame) {
   const JobRequest remote = request("", "remote");
   NotingRunner runner(remote, options_, cell_, scanOf(local));
   runJob(remote, options_, cell_, runner, {});
-  EXPECT_EQ(runner.asked, (std::vector<std::string>{"scan", "fit", "path", "motion"}));
+  EXPECT_EQ(runner.asked, (std::vector<std::string>{"scan", "fit", "path", "motion", "accepts"}));
   for (const char* name : {"path.csv", "trajectory.csv", "pulses.csv"}) {
     EXPECT_EQ(readFile(remote.out / name), readFile(local.out / name)) << name;
   }
@@ -97,7 +102,7 @@ TEST_F(StageRunnerTest, APartialPathIsReplannedHereWhoeverRunsTheStages) {
     EXPECT_EQ(runJob(local, options_, {}).exit, 1);
     NotingRunner runner(remote, options_, cell_, scanOf(local));
     EXPECT_EQ(runJob(remote, options_, cell_, runner, {}).exit, 1);
-    EXPECT_EQ(runner.asked, (std::vector<std::string>{"scan", "fit", "path", "motion"}));
+    EXPECT_EQ(runner.asked, (std::vector<std::string>{"scan", "fit", "path", "motion", "accepts"}));
     for (const char* name : {"path.csv", "trajectory.csv", "pulses.csv"}) {
       EXPECT_EQ(readFile(remote.out / name), readFile(local.out / name)) << name;
     }
@@ -117,6 +122,17 @@ TEST_F(StageRunnerTest, AScanKeptAsACloudGivesTheSamePath) {
   runJob(cloud, options_, {});
   EXPECT_EQ(readFile(cloud.out / "path.csv"), readFile(log.out / "path.csv"));
   EXPECT_EQ(readFile(cloud.out / "trajectory.csv"), readFile(log.out / "trajectory.csv"));
+}
+
+TEST_F(StageRunnerTest, WhatIsNotAcceptedIsNotWritten) {
+  const JobRequest local = request("samples.csv", "local");
+  NotingRunner runner(local, options_, cell_, scanOf(local));
+  runner.wanted = false;
+  EXPECT_THROW(runJob(local, options_, cell_, runner, {}), Rejected);
+  EXPECT_FALSE(fs::exists(local.out));
+  fs::path part = local.out;
+  part += ".part";
+  EXPECT_FALSE(fs::exists(part));
 }
 
 TEST_F(StageRunnerTest, RefusesToScanAMesh) {

@@ -38,18 +38,23 @@ def wait_until(condition, seconds, what):
 class Job:
     """A job under way, started by the client that users have."""
 
-    def __init__(self, out, configuration="", name="cell", env=None):
+    def __init__(self, out, configuration="", name="cell", env=None, arguments=()):
         self.out = pathlib.Path(out)
-        command = [RUN_JOB, "--out", self.out, "--wait", "40", "--server", name + "/job_server"]
+        command = [RUN_JOB, "--out", self.out, "--wait", "40", "--server", name + "/job_server", *arguments]
         if configuration:
             self.configuration = tempfile.NamedTemporaryFile("w", suffix=".yaml")
             self.configuration.write(configuration)
             self.configuration.flush()
             command += ["--config", self.configuration.name]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env)
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                        text=True, env=env)
 
     def interrupt(self):
         self.process.send_signal(signal.SIGINT)
+
+    def answer(self, line):
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
 
     def finish(self, seconds=60):
         """Exit status and everything that was said."""

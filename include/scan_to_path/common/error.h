@@ -23,6 +23,15 @@ public:
 class Interrupted : public std::runtime_error {
 public:
   Interrupted() : std::runtime_error("interrupted") {}
+
+protected:
+  explicit Interrupted(const std::string& why) : std::runtime_error(why) {}
+};
+
+/// Somebody looked at what was planned and does not want it: nothing is written.
+class Rejected : public Interrupted {
+public:
+  Rejected() : Interrupted("rejected by the user") {}
 };
 
 }  // namespace scan_to_path

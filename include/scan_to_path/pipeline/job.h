@@ -55,7 +55,8 @@ JobResult runJob(const JobRequest& request, const JobOptions& options, const Pro
 class StageRunner;
 struct Cell;
 
-/// The same with the stages run by `stages`; options are valid (validateJob), `cell` is made from them.
+/// The same with the stages run by `stages`; options are valid (validateJob), `cell` is made from them. Throws Rejected
+/// when `stages` does not accept what was planned.
 JobResult runJob(const JobRequest& request, const JobOptions& options, const Cell& cell, StageRunner& stages,
                  const Progress& progress);
 

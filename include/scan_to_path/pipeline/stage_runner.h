@@ -51,6 +51,9 @@ public:
     return motionStage(driven, cell_, options_, progress);
   }
 
+  /// Asked once, before anything is written: whether what was planned is wanted. May wait for somebody who looks at it.
+  virtual bool accepts(const Progress&) { return true; }
+
 protected:
   const JobRequest& request_;
   const JobOptions& options_;

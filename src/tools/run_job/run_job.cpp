@@ -6,6 +6,7 @@
 #include <scan_to_path/RunJobAction.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "scan_to_path_ros/parameters.h"
 #include "tools/progress_bar.h"
 #include "tools/run_job/play_back.h"
+#include "tools/run_job/review_question.h"
 
 namespace {
 
@@ -32,6 +34,7 @@ struct Flags {
   std::string server = "cell/job_server";
   double wait = 30.0;
   bool play = false;
+  bool review = false;
   bool quiet = false;
 };
 
@@ -43,6 +46,7 @@ void addFlags(CLI::App& app, Flags& flags) {
   app.add_option("--server", flags.server, "name of the job server")->capture_default_str();
   app.add_option("--wait", flags.wait, "for the cell to come up [s]")->capture_default_str();
   app.add_flag("--play", flags.play, "play the result back, and compare it with the planned path");
+  app.add_flag("--review", flags.review, "ask on the terminal before anything is written");
   app.add_flag("--quiet", flags.quiet, "no progress, no summary");
 }
 
@@ -51,6 +55,7 @@ scan_to_path::RunJobGoal goalFrom(const Flags& flags) {
   goal.process = flags.process;
   if (!flags.config.empty()) goal.configuration = scan_to_path::readFile(flags.config);
   goal.out = std::filesystem::absolute(flags.out.empty() ? "out/" + flags.process : flags.out).string();
+  goal.review = static_cast<std::uint8_t>(flags.review);
   if (!flags.bag.empty()) goal.bag = std::filesystem::absolute(flags.bag).string();
   return goal;
 }
@@ -83,10 +88,18 @@ int run(const Flags& flags) {
   }
   scan_to_path::tools::ProgressBar bar(flags.quiet);
   const auto progress = bar.progress();
+  std::atomic<bool> is_in_review{false};
   client.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
-                  [&](const scan_to_path::RunJobFeedbackConstPtr& at) { progress.update(at->stage, at->fraction); });
+                  [&](const scan_to_path::RunJobFeedbackConstPtr& at) {
+                    if (at->stage == "review")
+                      is_in_review = true;
+                    else
+                      progress.update(at->stage, at->fraction);
+                  });
+  scan_to_path::tools::ReviewQuestion question(nodes.resolveName(flags.server + "/accept"));
   while (!client.getState().isDone()) {
     if (interrupted != 0) client.cancelGoal();
+    if (is_in_review && interrupted == 0) question.look();
     if (!client.isServerConnected()) {
       scan_to_path_ros::checkMaster();
       throw scan_to_path::InputError("the job server is gone");
