@@ -7,6 +7,7 @@
 
 #include "scan_to_path_ros/conversions.h"
 #include "scan_to_path_ros/parameters.h"
+#include "scan_to_path_ros/region_marker.h"
 #include "scan_to_path_ros/stage.h"
 
 namespace scan_to_path_nodelets {
@@ -18,6 +19,7 @@ class PathPlanner : public nodelet::Nodelet {
     stage_ = std::make_unique<scan_to_path_ros::Stage>(nodes, "path");
     planned_ = nodes.advertise<scan_to_path::PlannedPath>("planned_path", 1, true);
     path_ = nodes.advertise<scan_to_path::ToolPath>("tool_path", 1, true);
+    region_ = nodes.advertise<visualization_msgs::Marker>("region", 1, true);
     scan_ = nodes.subscribe("fitted_scan", 1, &PathPlanner::plan, this);
   }
 
@@ -26,6 +28,7 @@ class PathPlanner : public nodelet::Nodelet {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
       const auto process = scan_to_path_ros::parameter<std::string>(getNodeHandle(), "process", "cutting");
       const auto fitted = scan_to_path_ros::fromMsg(*msg);
+      region_.publish(scan_to_path_ros::regionMarker(options, fitted.scan, msg->header));
       const auto planner = scan_to_path::pipeline::makePlanner(process, options);
       const auto planned =
           scan_to_path::pipeline::pathStage(*planner, fitted.scan, msg->header.frame_id, options, progress);
@@ -38,6 +41,7 @@ class PathPlanner : public nodelet::Nodelet {
   std::unique_ptr<scan_to_path_ros::Stage> stage_;
   ros::Publisher planned_;
   ros::Publisher path_;
+  ros::Publisher region_;
   ros::Subscriber scan_;
 };
 

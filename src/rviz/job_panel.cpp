@@ -4,9 +4,7 @@
 
 #include <ros/names.h>
 #include <std_msgs/Bool.h>
-#include <QDir>
 #include <QFontDatabase>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,19 +15,16 @@
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <vector>
+
+#include "rviz/job_fields.h"
+#include "scan_to_path/common/error.h"
+
 namespace scan_to_path_rviz {
 namespace {
 
 constexpr int look_period = 200;  // [ms]
 constexpr int full = 100;         // of the progress bar
-
-/// A field of the panel that the rviz configuration keeps.
-QLineEdit* lineEdit(QWidget* parent, const char* name, const QString& text, const char* tip) {
-  auto* edit = new QLineEdit(text, parent);
-  edit->setObjectName(name);
-  edit->setToolTip(tip);
-  return edit;
-}
 
 QPushButton* button(QWidget* parent, const char* name, const char* text, const char* tip) {
   auto* made = new QPushButton(text, parent);
@@ -54,38 +49,27 @@ JobPanel::JobPanel(QWidget* parent) : rviz::Panel(parent) {
 JobPanel::~JobPanel() = default;
 
 void JobPanel::addFields() {
-  server_ = lineEdit(this, "server", "job_server", "the cell's job server; relative to rviz's namespace");
-  process_ = lineEdit(this, "process", "cutting", "what is done to the part");
-  out_ =
-      lineEdit(this, "out", QDir::home().filePath("out/cutting"), "directory of the result, where the job server runs");
-  configuration_ = new QPlainTextEdit(this);
-  configuration_->setObjectName("configuration");
-  configuration_->setPlaceholderText("path: {pitch: 0.002}");
-  configuration_->setToolTip("YAML laid over the cell's configuration for this job; empty: nothing");
-  configuration_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  configuration_->setMaximumHeight(4 * fontMetrics().lineSpacing());
-  auto* form = new QFormLayout;
-  form->addRow("Server", server_);
-  form->addRow("Process", process_);
-  form->addRow("Out", out_);
-  form->addRow("Options", configuration_);
-  column_->addLayout(form);
-  for (auto* edit : {server_, process_, out_}) {
-    connect(edit, &QLineEdit::textEdited, this, [this] { Q_EMIT configChanged(); });
-  }
-  connect(server_, &QLineEdit::editingFinished, this, [this] { connectServer(); });
+  fields_ = new JobFields(this, [this] { Q_EMIT configChanged(); });
+  column_->addWidget(fields_);
+  connect(fields_->server(), &QLineEdit::editingFinished, this, [this] { connectServer(); });
 }
 
 void JobPanel::addButtons() {
   run_ = button(this, "run", "Run", "scan the part, plan and write the program");
   play_ = button(this, "play", "Play", "play the planned trajectory back, and stop it again");
   cancel_ = button(this, "cancel", "Cancel", "end the job that runs; an older result stays");
-  auto* buttons = new QHBoxLayout;
-  for (auto* made : {run_, play_, cancel_}) buttons->addWidget(made);
-  column_->addLayout(buttons);
+  accept_ = button(this, "accept", "Accept", "write what was planned");
+  reject_ = button(this, "reject", "Reject", "write nothing; an older result stays");
+  for (const auto& row : {std::vector<QPushButton*>{run_, play_, cancel_}, {accept_, reject_}}) {
+    auto* buttons = new QHBoxLayout;
+    for (auto* made : row) buttons->addWidget(made);
+    column_->addLayout(buttons);
+  }
   connect(run_, &QPushButton::clicked, this, [this] { run(); });
   connect(play_, &QPushButton::clicked, this, [this] { playOrStop(); });
   connect(cancel_, &QPushButton::clicked, this, [this] { cancel(); });
+  connect(accept_, &QPushButton::clicked, this, [this] { answer(true); });
+  connect(reject_, &QPushButton::clicked, this, [this] { answer(false); });
 }
 
 void JobPanel::addResult() {
@@ -116,7 +100,7 @@ void JobPanel::connectServer() {
   playing_topic_.shutdown();
   showError("");
   std::string why;
-  const std::string name = server_->text().trimmed().toStdString();
+  const std::string name = fields_->server()->text().trimmed().toStdString();
   if (name.empty() || !ros::names::validate(name, why)) {
     showError("server: " + (name.empty() ? std::string("no name") : why));
   } else {
@@ -139,8 +123,10 @@ void JobPanel::connectServer() {
 void JobPanel::look() {
   if (client_) client_->look();
   if (playing_topic_.getNumPublishers() == 0) playing_ = false;
-  const auto played = player_.takeAnswer();
-  if (played) showError(*played);
+  for (ServiceCall* call : {&player_, &reviewer_}) {
+    const auto answered = call->takeAnswer();
+    if (answered) showError(*answered);
+  }
   refresh();
 }
 
@@ -148,10 +134,13 @@ void JobPanel::refresh() {
   const bool connected = client_ && client_->connected();
   const bool is_idle = state_ == State::idle;
   run_->setEnabled(connected && is_idle && !playing_);  // the player and a scan would both say where the robot is
-  play_->setEnabled(is_idle && playing_topic_.getNumPublishers() > 0 && !player_.running());
+  const bool in_review = state_ == State::running && in_review_;
+  play_->setEnabled((is_idle || in_review) && playing_topic_.getNumPublishers() > 0 && !player_.running());
   play_->setText(playing_ ? "Stop" : "Play");
   cancel_->setEnabled(state_ == State::running);
-  server_->setEnabled(is_idle);
+  accept_->setEnabled(in_review && !reviewer_.running());
+  reject_->setEnabled(in_review && !reviewer_.running());
+  fields_->server()->setEnabled(is_idle);
   if (state_ == State::running) return;  // the progress tells
   if (!is_idle) {
     state_text_->setText("cancelling");
@@ -165,17 +154,17 @@ void JobPanel::refresh() {
 void JobPanel::run() {
   if (!client_ || state_ != State::idle || playing_) return;
   scan_to_path::RunJobGoal goal;
-  goal.process = process_->text().trimmed().toStdString();
-  goal.configuration = configuration_->toPlainText().toStdString();
-  goal.out = out_->text().trimmed().toStdString();
-  if (!QDir::isAbsolutePath(QString::fromStdString(goal.out))) {
-    showError("out: \"" + goal.out + "\" is no absolute path; the job server runs elsewhere");
+  try {
+    goal = fields_->goal();
+  } catch (const scan_to_path::InputError& error) {
+    showError(error.what());
     return;
   }
   showError("");
   summary_->clear();
   progress_->reset();
   state_ = State::running;
+  in_review_ = false;
   state_text_->setText("waiting for the job to begin");
   client_->run(goal);
   refresh();
@@ -194,11 +183,19 @@ void JobPanel::cancel() {
   refresh();
 }
 
+void JobPanel::answer(bool is_wanted) {
+  showError("");
+  reviewer_.start(ros::names::resolve(fields_->server()->text().trimmed().toStdString() + "/accept"), is_wanted);
+  refresh();
+}
+
 void JobPanel::showProgress(const std::string& stage, double fraction) {
   if (state_ != State::running) return;
   progress_->setMaximum(fraction > 0.0 ? full : 0);  // a stage that cannot tell how far it is: just busy
   progress_->setValue(qBound(0, qRound(full * fraction), full));
-  state_text_->setText(QString::fromStdString(stage));
+  in_review_ = stage == "review";
+  state_text_->setText(in_review_ ? "review: accept or reject" : QString::fromStdString(stage));
+  refresh();
 }
 
 void JobPanel::showEnd(const JobEnd& end) {
@@ -223,19 +220,13 @@ void JobPanel::showError(const std::string& text) { error_->setText(QString::fro
 
 void JobPanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  for (auto* edit : {server_, process_, out_}) {
-    QString text;
-    if (config.mapGetString(edit->objectName(), &text)) edit->setText(text);
-  }
-  QString yaml;
-  if (config.mapGetString(configuration_->objectName(), &yaml)) configuration_->setPlainText(yaml);
+  fields_->load(config);
   connectServer();
 }
 
 void JobPanel::save(rviz::Config config) const {
   rviz::Panel::save(config);
-  for (const auto* edit : {server_, process_, out_}) config.mapSetValue(edit->objectName(), edit->text());
-  config.mapSetValue(configuration_->objectName(), configuration_->toPlainText());
+  fields_->save(config);
 }
 
 }  // namespace scan_to_path_rviz

@@ -11,7 +11,6 @@
 #include "rviz/service_call.h"
 
 class QLabel;
-class QLineEdit;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
@@ -20,7 +19,10 @@ class QVBoxLayout;
 
 namespace scan_to_path_rviz {
 
-/// Runs jobs of a cell from rviz: run, play, cancel, how far it is, and how it ended. Nothing in it waits for anybody.
+class JobFields;
+
+/// Runs jobs of a cell from rviz: run, play, cancel, accept or reject, how far it is, and how it ended. Nothing in it
+/// waits for anybody.
 class JobPanel : public rviz::Panel {
 public:
   explicit JobPanel(QWidget* parent = nullptr);
@@ -43,18 +45,18 @@ private:
   void run();
   void playOrStop();
   void cancel();
+  void answer(bool is_wanted);
   void showProgress(const std::string& stage, double fraction);
   void showEnd(const JobEnd& end);
   void showError(const std::string& text);
 
   QVBoxLayout* column_ = nullptr;
-  QLineEdit* server_ = nullptr;
-  QLineEdit* process_ = nullptr;
-  QLineEdit* out_ = nullptr;
-  QPlainTextEdit* configuration_ = nullptr;
+  JobFields* fields_ = nullptr;
   QPushButton* run_ = nullptr;
   QPushButton* play_ = nullptr;
   QPushButton* cancel_ = nullptr;
+  QPushButton* accept_ = nullptr;
+  QPushButton* reject_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel* state_text_ = nullptr;
   QLabel* error_ = nullptr;
@@ -67,6 +69,8 @@ private:
   ros::Subscriber playing_topic_;
   bool playing_ = false;
   ServiceCall player_;
+  bool in_review_ = false;
+  ServiceCall reviewer_;
 };
 
 }  // namespace scan_to_path_rviz

@@ -3,20 +3,29 @@
 #include "rviz/service_call.h"
 
 #include <ros/service.h>
+#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
 
 namespace scan_to_path_rviz {
 
-void ServiceCall::start(const std::string& name) {
+template <class Service>
+void ServiceCall::start(const std::string& name, const Service& service) {
   if (running()) return;
-  answer_ = std::async(std::launch::async, [name]() -> std::string {
-    std_srvs::Trigger trigger;
+  answer_ = std::async(std::launch::async, [name, called = service]() mutable -> std::string {
     if (!ros::service::exists(name, false)) return name + " is not there; is its nodelet running?";
-    if (!ros::service::call(name, trigger)) return name + " did not answer";
-    return trigger.response.success != 0 ? "" : name + ": " + trigger.response.message;
+    if (!ros::service::call(name, called)) return name + " did not answer";
+    return called.response.success != 0 ? "" : name + ": " + called.response.message;
   });
+}
+
+void ServiceCall::start(const std::string& name) { start(name, std_srvs::Trigger()); }
+
+void ServiceCall::start(const std::string& name, bool data) {
+  std_srvs::SetBool service;
+  service.request.data = static_cast<std::uint8_t>(data);
+  start(name, service);
 }
 
 std::optional<std::string> ServiceCall::takeAnswer() {

@@ -8,9 +8,12 @@
 #include <ros/ros.h>
 #include <ros/spinner.h>
 #include <std_msgs/Bool.h>
+#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
+#include <yaml-cpp/yaml.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -212,6 +215,83 @@ TEST_F(JobPanelTest, wantsAnAbsolutePath) {
   EXPECT_TRUE(idle());
 }
 
+TEST_F(JobPanelTest, laysRegionAndRowsOverTheOptions) {
+  text("configuration")->setPlainText("path: {pitch: 0.002}");
+  line("region")->setText("0.01 0.05 -0.02 0.03");
+  line("skip_rows")->setText("3, 7-9");
+  line("reverse_rows")->setText("2");
+  startJob();
+  const YAML::Node path = YAML::Load(server->goal()->configuration)["path"];
+  EXPECT_EQ(path["pitch"].as<double>(), 0.002);
+  ASSERT_EQ(path["region"].size(), 4U);
+  EXPECT_EQ(path["region"][2].as<std::vector<double>>(), (std::vector<double>{0.05, 0.03}));
+  EXPECT_EQ(path["skip_rows"].as<std::string>(), "3, 7-9");
+  EXPECT_EQ(path["reverse_rows"].as<std::string>(), "2");
+  EXPECT_EQ(server->goal()->review, 0);
+}
+
+TEST_F(JobPanelTest, saysWhatIsNoRegion) {
+  line("region")->setText("0 1 2");
+  button("run")->click();
+  EXPECT_THAT(label("error"), testing::HasSubstr("x_min x_max y_min y_max"));
+  EXPECT_TRUE(idle());
+}
+
+/// Takes the answer to a review.
+class FakeReviewer {
+  using Request = std_srvs::SetBool::Request;
+  using Response = std_srvs::SetBool::Response;
+
+public:
+  FakeReviewer() {
+    nodes_.setCallbackQueue(&queue_);
+    service_ =
+        nodes_.advertiseService<Request, Response>("job_server/accept", [this](Request& request, Response& response) {
+          answer_ = request.data != 0 ? 1 : 0;
+          response.success = 1;
+          return true;
+        });
+    spinner_.start();
+  }
+  ~FakeReviewer() { spinner_.stop(); }
+
+  /// 1: accepted; 0: rejected; -1: nobody answered.
+  int answer() const { return answer_; }
+
+private:
+  std::atomic<int> answer_{-1};
+  ros::NodeHandle nodes_;
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_{1, &queue_};
+  ros::ServiceServer service_;
+};
+
+TEST_F(JobPanelTest, acceptsOrRejectsInReviewOnly) {
+  for (const char* chosen : {"accept", "reject"}) {
+    const FakeReviewer reviewer;
+    panel.findChild<QCheckBox*>("review")->setChecked(true);
+    EXPECT_FALSE(button("accept")->isEnabled());
+    startJob();
+    EXPECT_EQ(server->goal()->review, 1);
+    server->tell("motion", 1.0);
+    ASSERT_TRUE(until([&] { return label("state") == "motion"; }));
+    EXPECT_FALSE(button("accept")->isEnabled());
+    EXPECT_FALSE(button("reject")->isEnabled());
+    server->tell("review", 0.0);
+    ASSERT_TRUE(until([&] { return button("accept")->isEnabled() && button("reject")->isEnabled(); }));
+    EXPECT_EQ(label("state"), "review: accept or reject");
+    EXPECT_TRUE(button("cancel")->isEnabled());
+    button(chosen)->click();
+    EXPECT_FALSE(button("accept")->isEnabled());
+    const bool is_accepted = chosen == std::string("accept");
+    ASSERT_TRUE(until([&] { return reviewer.answer() == (is_accepted ? 1 : 0); }));
+    server->end(is_accepted ? 0 : 130, {is_accepted ? "41 rows" : "rejected by the user"});
+    ASSERT_TRUE(until([&] { return idle(); }));
+    EXPECT_EQ(label("error"), is_accepted ? "" : "rejected by the user");
+    EXPECT_FALSE(button("accept")->isEnabled());
+  }
+}
+
 /// A player that takes its time, beside the thread of the windows.
 class FakePlayer {
   using Request = std_srvs::Trigger::Request;
@@ -311,12 +391,18 @@ TEST_F(JobPanelTest, saysWhyNothingIsPlayed) {
 
 TEST_F(JobPanelTest, keepsItsFieldsInTheConfiguration) {
   text("configuration")->setPlainText("fit: {with_surface: false}");
+  line("region")->setText("0 1, 2 3, 4 5");
+  line("skip_rows")->setText("5");
+  panel.findChild<QCheckBox*>("review")->setChecked(true);
   rviz::Config config;
   panel.save(config);
   JobPanel other;
   other.load(config);
   EXPECT_EQ(other.findChild<QLineEdit*>("out")->text(), "/tmp/out of a job");
   EXPECT_EQ(other.findChild<QLineEdit*>("server")->text(), "job_server");
+  EXPECT_EQ(other.findChild<QLineEdit*>("region")->text(), "0 1, 2 3, 4 5");
+  EXPECT_EQ(other.findChild<QLineEdit*>("skip_rows")->text(), "5");
+  EXPECT_TRUE(other.findChild<QCheckBox*>("review")->isChecked());
   EXPECT_EQ(other.findChild<QPlainTextEdit*>("configuration")->toPlainText(), "fit: {with_surface: false}");
 }
 
