@@ -202,15 +202,20 @@ private:
     return links;
   }
 
-  /// What rows beside each other leave, as meant or as their given distance has it, with some of it for what lies
-  /// between the places where it was looked for.
+  /// What a place may keep and still be covered: what rows are meant to leave, with some of it for what lies between
+  /// the places where that was looked for. Rows of a given distance leave what it makes of them, twice that of a plane
+  /// on a slope of 45 degrees; what they leave at folds would hide what they do not reach.
   double heightLeft(const std::vector<Figure>& figures) const {
-    constexpr double more = 1.05;
-    double left = options_.scallop_height;
+    const double meant = 1.05 * options_.scallop_height;
+    if (options_.row_source == RowSource::surface && options_.pitch == 0.0) return meant;
+    const double r = options_.ball_radius;
+    double given = 0.0;
     for (const Figure& figure : figures) {
-      if (figure.name == "scallop") left = std::max(left, figure.value);
+      if (figure.name != "row_distance_median") continue;
+      const double half = std::min(0.5 * figure.value, r);
+      given = 2.0 * (r - std::sqrt(r * r - half * half));
     }
-    return more * left;
+    return std::max(meant, given);
   }
 
   /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.

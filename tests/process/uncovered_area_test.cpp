@@ -31,6 +31,9 @@ CuttingOptions alongLines() {
   return options;
 }
 
+/// What rows on lines 4 mm apart may leave: twice what they do on a plane.
+double heightOfLines(double radius) { return 2.0 * (radius - std::sqrt(radius * radius - 0.002 * 0.002)); }
+
 /// How far beside its row a ball leaves the height h on a plane.
 double reach(double radius, double h) { return std::sqrt(2.0 * radius * h - h * h); }
 
@@ -49,8 +52,8 @@ TEST(UncoveredArea, IsTheStripOfASkippedRow) {
   options.skip_rows = "7";
   for (const auto& T : {geometry::Frame::Identity(), test::randomFrame(random)}) {
     const PlannedPath plan = planWhole(test::flatPlate(T), options);
-    // Rows 8 mm apart, of which balls take half a millimetre more than 2 mm on each side.
-    const double h = 1.05 * std::max(options.scallop_height, figureIn(plan, "scallop"));
+    // Rows 8 mm apart, of which balls take 2.8 mm on each side.
+    const double h = heightOfLines(options.ball_radius);
     const double strip = 0.1 * (0.008 - 2.0 * reach(options.ball_radius, h));
     // The strip's two long sides are as fine as the grid.
     EXPECT_NEAR(figureIn(plan, "uncovered_area"), strip, 0.1 * grid_spacing);
@@ -63,7 +66,7 @@ TEST(UncoveredArea, IsWhatLiesOutsideTheRegion) {
   options.region = {{-1.0, -1.0}, {0.06, -1.0}, {0.06, 1.0}, {-1.0, 1.0}};
   const PlannedPath plan = planWhole(test::flatPlate(), options);
   // At a row's end the ball reaches further by as much as beside it, half way between the rows not at all.
-  const double h = 1.05 * std::max(options.scallop_height, figureIn(plan, "scallop"));
+  const double h = heightOfLines(options.ball_radius);
   EXPECT_LT(figureIn(plan, "uncovered_area"), 0.04 * 0.06 + 0.06 * grid_spacing);
   EXPECT_GT(figureIn(plan, "uncovered_area"), (0.04 - reach(options.ball_radius, h)) * 0.06 - 0.06 * grid_spacing);
 }
