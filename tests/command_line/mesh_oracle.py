@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 scan_to_path developers
 # SPDX-License-Identifier: Apache-2.0
 """A triangle mesh and what can be asked of it, by brute force over a plain grid. Shares nothing with the package."""
+import csv
 import math
 import struct
 
@@ -30,6 +31,16 @@ def read_ply(path, scale=1.0):
             raise ValueError(f"{path.name}: a face of {count} corners")
         triangles.append(tuple(corners))
     return vertices, triangles
+
+
+def read_ascii_stl(path, scale=1.0):
+    """Vertices [m], each once, and triangles of a text STL; triangles without area are left away."""
+    corners = [tuple(scale * float(word) for word in line.split()[1:])
+               for line in path.read_text().splitlines() if line.split()[:1] == ["vertex"]]
+    numbers = {}
+    triangles = [tuple(numbers.setdefault(corner, len(numbers)) for corner in corners[i:i + 3])
+                 for i in range(0, len(corners), 3)]
+    return list(numbers), [triangle for triangle in triangles if len(set(triangle)) == 3]
 
 
 def minus(a, b):
@@ -147,3 +158,43 @@ class Mesh:
                 z = self.top(x, y)
                 if z is not None:
                     yield x, y, z
+
+
+def rotated_z(x, y, z, w):
+    """Third column of a quaternion's rotation: the contact frame's normal."""
+    return 2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)
+
+
+def worked_moves(text, origin):
+    """Contacts (point, normal) at both ends of every move with the tool at work, less the part's place."""
+    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+    before = None
+    for row in rows:
+        point = tuple(float(row[axis]) - origin[k] for k, axis in enumerate("xyz"))
+        normal = rotated_z(*(float(row["q" + axis]) for axis in "xyzw"))
+        if row["process_on"] == "1":
+            yield before, (point, normal)
+        before = point, normal
+
+
+def places(moves, spacing=1e-3):
+    """Points of the straight moves, their ends included, each once."""
+    last = None
+    for (a, _), (b, _) in moves:
+        count = max(1, math.ceil(math.dist(a, b) / spacing))
+        for k in range(0 if a != last else 1, count + 1):
+            yield tuple(a[axis] + (b[axis] - a[axis]) * k / count for axis in range(3))
+        last = b
+
+
+def uncut_share(mesh, moves, radius, reach, height, spacing=2.5e-3):
+    """Share of the mesh's upper side over which a ball along the moves leaves more than `height`, to first order in the
+    slopes. `reach`: how far beside its contacts a row counts."""
+    centre_moves = Cells(reach, reach)
+    for move in moves:
+        centres = tuple(tuple(p[k] + radius * n[k] for k in range(3)) for p, n in move)
+        centre_moves.add(centres, [p for p, _ in move])  # by its contacts: what covers a place is near it
+    points = list(mesh.area_points(spacing))
+    uncut = sum(1 for p in points if not any(distance_to_segment(p, *move) <= radius + height
+                                             for move in centre_moves.near(p[0], p[1])))
+    return uncut / len(points)

@@ -5,9 +5,7 @@
 
 usage: real_parts_test.py EXECUTABLE SOURCE_DIRECTORY
 """
-import csv
 import json
-import math
 import os
 import pathlib
 import subprocess
@@ -15,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-from mesh_oracle import Cells, Mesh, distance_to_segment, is_inside, read_ply
+from mesh_oracle import Mesh, is_inside, places, read_ply, uncut_share, worked_moves
 
 SKIPPED = 77
 EXECUTABLE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
@@ -54,43 +52,8 @@ def run(*arguments):
     assert done.returncode in (0, 1), done.stderr
 
 
-def rotated_z(x, y, z, w):
-    """Third column of a quaternion's rotation: the contact frame's normal."""
-    return 2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)
-
-
-def worked_moves(text, origin):
-    """Contacts (point, normal) at both ends of every move with the tool at work, less the part's place."""
-    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
-    before = None
-    for row in rows:
-        point = tuple(float(row[axis]) - origin[k] for k, axis in enumerate("xyz"))
-        normal = rotated_z(*(float(row["q" + axis]) for axis in "xyzw"))
-        if row["process_on"] == "1":
-            yield before, (point, normal)
-        before = point, normal
-
-
-def places(moves, spacing=1e-3):
-    """Points of the straight moves, their ends included, each once."""
-    last = None
-    for (a, _), (b, _) in moves:
-        count = max(1, math.ceil(math.dist(a, b) / spacing))
-        for k in range(0 if a != last else 1, count + 1):
-            yield tuple(a[axis] + (b[axis] - a[axis]) * k / count for axis in range(3))
-        last = b
-
-
-def uncovered_share(part, moves, spacing=2.5e-3):
-    """Share of the mesh's upper side on which a ball along the moves leaves more than UNCUT."""
-    centre_moves = Cells(part.reach, part.reach)
-    for move in moves:
-        centres = tuple(tuple(p[k] + part.radius * n[k] for k in range(3)) for p, n in move)
-        centre_moves.add(centres, [p for p, _ in move])  # by its contacts: what covers a place is near it
-    points = list(part.mesh.area_points(spacing))
-    uncut = sum(1 for p in points if not any(distance_to_segment(p, *move) <= part.radius + UNCUT
-                                             for move in centre_moves.near(p[0], p[1])))
-    return uncut / len(points)
+def uncovered_share(part, moves):
+    return uncut_share(part.mesh, moves, part.radius, part.reach, UNCUT)
 
 
 def largest_distance(mesh, moves):
