@@ -4,6 +4,7 @@
 
 #include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/Path.h>
+#include <ros/node_handle.h>
 #include <ros/time.h>
 #include <scan_to_path/MotionPlan.h>
 #include <scan_to_path/PlaybackDeviation.h>
@@ -22,6 +23,9 @@ struct PlaybackOptions {
   double speed = 1.0;  ///< of the playback against the trajectory's own times, in (0, 1000]
   double rate = 50.0;  ///< of joint states between points that are farther apart [1/s]
 };
+
+/// From the parameters `speed` and `rate`.
+PlaybackOptions playbackOptions(const ros::NodeHandle& nodes);
 
 /// A trajectory as joint states: one for every point, at its very time, and some on the joint-linear moves between.
 class JointPlayback {

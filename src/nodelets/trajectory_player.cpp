@@ -47,7 +47,7 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     diagnostics_timer_ = nodes.createWallTimer(ros::WallDuration(1.0),
                                                [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
     setActive(false);
-    options();  // so that they can be seen before the first playback
+    scan_to_path_ros::playbackOptions(getPrivateNodeHandle());  // to be seen before the first playback
     isRealRobot();
   }
 
@@ -98,13 +98,6 @@ class TrajectoryPlayer : public nodelet::Nodelet {
 
   bool isRealRobot() { return scan_to_path_ros::parameter(getPrivateNodeHandle(), "real_robot", false); }
 
-  scan_to_path_ros::PlaybackOptions options() {
-    scan_to_path_ros::PlaybackOptions options;
-    options.speed = scan_to_path_ros::parameter(getPrivateNodeHandle(), "speed", options.speed);
-    options.rate = scan_to_path_ros::parameter(getPrivateNodeHandle(), "rate", options.rate);
-    return options;
-  }
-
   void begin() {
     if (isRealRobot())
       throw scan_to_path::InputError("a real robot publishes joint_states; play back with sim:=true");
@@ -113,7 +106,7 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     if ((ros::WallTime::now() - scanned_).toSec() < late) throw scan_to_path::InputError("a scan is running");
     // A moment for the robot that stood still to fall silent.
     const ros::Time first = ros::Time::now() + ros::Duration(5 * period);
-    const scan_to_path_ros::JointPlayback playback(*trajectory_, options(), first);
+    const scan_to_path_ros::JointPlayback playback(*trajectory_, scan_to_path_ros::playbackOptions(getPrivateNodeHandle()), first);
     comparison_.reset();
     if (isPlanned()) {
       comparison_ = std::make_unique<scan_to_path_ros::PlaybackComparison>(*driven_, *plan_, playback);

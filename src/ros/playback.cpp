@@ -9,6 +9,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path_ros/conversions.h"
+#include "scan_to_path_ros/parameters.h"
 
 namespace scan_to_path_ros {
 namespace {
@@ -48,6 +49,13 @@ void check(const trajectory_msgs::JointTrajectory& trajectory) {
 }
 
 }  // namespace
+
+PlaybackOptions playbackOptions(const ros::NodeHandle& nodes) {
+  PlaybackOptions options;
+  options.speed = parameter(nodes, "speed", options.speed);
+  options.rate = parameter(nodes, "rate", options.rate);
+  return options;
+}
 
 JointPlayback::JointPlayback(const trajectory_msgs::JointTrajectory& trajectory, const PlaybackOptions& options,
                              const ros::Time& begin) {

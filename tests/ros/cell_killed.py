@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A cell whose manager or master is killed in the middle of a job: the client says so, nothing is half-written, and a
 new cell works. A rostest cannot spare its master, so these cells are started and ended here."""
+import itertools
 import os
 import pathlib
 import signal
@@ -18,9 +19,17 @@ SLOW = cell.COARSE.replace("speed: 0.25", "speed: 0.05")  # killed long before i
 
 
 def free_port():
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return listener.getsockname()[1]
+    """Below the ports that the system gives away by itself: another cell's nodes could get it before the master."""
+    for port in itertools.count(12000 + os.getpid() % 8000 + next(STARTED)):
+        with socket.socket() as listener:
+            try:
+                listener.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                pass
+
+
+STARTED = itertools.count()
 
 
 class Cell:

@@ -5,6 +5,7 @@
 
 usage: installed_test.py BUILD_DIRECTORY PREFIX
 """
+import itertools
 import os
 import pathlib
 import socket
@@ -19,9 +20,14 @@ QUICK = "emulate: {raster: {pitch: 0.012, speed: 0.2}}\n"
 
 
 def free_port():
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return free.getsockname()[1]
+    """Below the ports that the system gives away by itself."""
+    for port in itertools.count(20000 + os.getpid() % 8000):
+        with socket.socket() as free:
+            try:
+                free.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                pass
 
 
 class Installed(unittest.TestCase):

@@ -67,6 +67,7 @@ public:
     goal_.publishFeedback(feedback);
   }
   void end(int exit, const std::vector<std::string>& summary) {
+    has_goal_ = false;
     scan_to_path::RunJobResult result;
     result.exit = exit;
     result.summary = summary;
