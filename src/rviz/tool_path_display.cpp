@@ -161,6 +161,7 @@ void ToolPathDisplay::take(const scan_to_path::ToolPathConstPtr& msg) {
     path_ = std::make_unique<scan_to_path::toolpath::ToolPath>(scan_to_path_ros::fromMsg(*msg));
     header_ = msg->header;
     stale_ = true;
+    setStatus(StatusProperty::Ok, "Topic", "path received");  // as rviz's own: "OK" while nothing has come
   } catch (const scan_to_path::InputError& error) {
     setStatus(StatusProperty::Error, "Path", error.what());
   }
