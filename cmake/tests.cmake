@@ -15,7 +15,7 @@ target_precompile_headers(scan_to_path_precompiled_tests PRIVATE
 function(scan_to_path_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
+    set(ARG_TIMEOUT 600)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   scan_to_path_join_sources(${name})
