@@ -40,9 +40,11 @@ void addUnseen(double length, std::uint32_t index_a, std::uint32_t index_b, doub
 
 /// The rows of the part; gaps inside them go to `lengths`.
 std::vector<Row> partRows(const scan::SampleRows& rows, double shortest_gap, Lengths& lengths) {
+  const std::vector<double> places = scan::rowPlaces(rows);
   std::vector<Row> found;
   for (std::size_t begin = 0, end = 0; begin < rows.pieces.size(); begin = end) {
-    Row row = {rows.pieces[begin].x.front(), rows.pieces[begin].x.front(), 0.0, rows.pieces[begin].index.front(), 0};
+    Row row = {rows.pieces[begin].x.front(), rows.pieces[begin].x.front(), places[found.size()],
+               rows.pieces[begin].index.front(), 0};
     std::uint32_t index_at_end = row.first_index;
     for (; end < rows.pieces.size() && rows.pieces[end].row == rows.pieces[begin].row; ++end) {
       const scan::RowPiece& piece = rows.pieces[end];
@@ -50,11 +52,9 @@ std::vector<Row> partRows(const scan::SampleRows& rows, double shortest_gap, Len
       if (gap > shortest_gap) addUnseen(gap, index_at_end, piece.index.front(), rows.spacing, lengths);
       if (piece.x.back() >= row.end) index_at_end = piece.index.back();
       row.end = std::max(row.end, piece.x.back());
-      row.y += piece.y[piece.size() / 2];
       row.first_index = std::min({row.first_index, piece.index.front(), piece.index.back()});
       row.last_index = std::max({row.last_index, piece.index.front(), piece.index.back()});
     }
-    row.y /= static_cast<double>(end - begin);
     lengths.seen_and_not += row.end - row.begin;
     found.push_back(row);
   }

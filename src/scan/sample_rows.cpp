@@ -22,8 +22,8 @@ void addDropped(std::vector<Dropped>& dropped, const std::string& reason, std::s
   }
 }
 
-double usualRowDistance(const SampleRows& rows) {
-  std::vector<double> places;  // of each row: the mean of its pieces' middles
+std::vector<double> rowPlaces(const SampleRows& rows) {
+  std::vector<double> places;
   for (std::size_t begin = 0, end = 0; begin < rows.pieces.size(); begin = end) {
     double sum = 0.0;
     for (; end < rows.pieces.size() && rows.pieces[end].row == rows.pieces[begin].row; ++end) {
@@ -31,6 +31,11 @@ double usualRowDistance(const SampleRows& rows) {
     }
     places.push_back(sum / static_cast<double>(end - begin));
   }
+  return places;
+}
+
+double usualRowDistance(const SampleRows& rows) {
+  const std::vector<double> places = rowPlaces(rows);
   std::vector<double> distances;
   for (std::size_t i = 1; i < places.size(); ++i) distances.push_back(places[i] - places[i - 1]);
   if (distances.empty()) return 0.0;

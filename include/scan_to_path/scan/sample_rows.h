@@ -45,6 +45,9 @@ struct SampleRows {
   Obstacles obstacles;  ///< measured, and no part of the pieces: the background, and pieces too short to fit
 };
 
+/// Where each row lies across: the mean of its pieces' middles [m], in the rows' order.
+std::vector<double> rowPlaces(const SampleRows& rows);
+
 /// What neighbouring rows are apart where none is missing: three quarters of all distances are no larger, as a raster
 /// may alternate between two pitches [m]. 0 for fewer than two rows.
 double usualRowDistance(const SampleRows& rows);
