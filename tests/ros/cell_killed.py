@@ -3,40 +3,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """A cell whose manager or master is killed in the middle of a job: the client says so, nothing is half-written, and a
 new cell works. A rostest cannot spare its master, so these cells are started and ended here."""
-import itertools
 import os
 import pathlib
 import signal
-import socket
 import subprocess
 import tempfile
 import unittest
 from xmlrpc.client import ServerProxy
 
 import cell
+import ports
 
 SLOW = cell.COARSE.replace("speed: 0.25", "speed: 0.05")  # killed long before it ends
-
-
-def free_port():
-    """Below the ports that the system gives away by itself: another cell's nodes could get it before the master."""
-    for port in itertools.count(12000 + os.getpid() % 8000 + next(STARTED)):
-        with socket.socket() as listener:
-            try:
-                listener.bind(("127.0.0.1", port))
-                return port
-            except OSError:
-                pass
-
-
-STARTED = itertools.count()
 
 
 class Cell:
     """A cell with a master of its own."""
 
     def __init__(self, directory):
-        port = str(free_port())
+        port = str(ports.free())
         self.uri = "http://127.0.0.1:" + port
         self.env = dict(os.environ, ROS_IP="127.0.0.1", ROS_MASTER_URI=self.uri, ROS_LOG_DIR=str(directory / "log"))
         self.launch = subprocess.Popen(["roslaunch", "-p", port, "scan_to_path", "cell.launch"], env=self.env,

@@ -5,29 +5,18 @@
 
 usage: installed_test.py BUILD_DIRECTORY PREFIX
 """
-import itertools
 import os
 import pathlib
-import socket
 import subprocess
 import sys
 import tempfile
 import unittest
 
+import ports
+
 PREFIX = pathlib.Path(sys.argv.pop(2))
 BUILD = pathlib.Path(sys.argv.pop(1))
 QUICK = "emulate: {raster: {pitch: 0.012, speed: 0.2}}\n"
-
-
-def free_port():
-    """Below the ports that the system gives away by itself."""
-    for port in itertools.count(20000 + os.getpid() % 8000):
-        with socket.socket() as free:
-            try:
-                free.bind(("127.0.0.1", port))
-                return port
-            except OSError:
-                pass
 
 
 class Installed(unittest.TestCase):
@@ -48,7 +37,7 @@ class Installed(unittest.TestCase):
     def script(self, *lines):
         """The shell of a user who has sourced what was installed, and nothing else."""
         environment = {"HOME": str(self.directory), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "ROS_IP": "127.0.0.1",
-                       "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}"}
+                       "ROS_MASTER_URI": f"http://127.0.0.1:{ports.free()}"}
         done = subprocess.run(["bash", "-c", "\n".join([f"source {self.prefix}/setup.bash", *lines])], cwd=self.directory,
                               env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stdout)
