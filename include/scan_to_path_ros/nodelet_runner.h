@@ -24,7 +24,6 @@ public:
   void read(const scan_to_path::Progress& progress) override;
   scan_to_path::pipeline::ScanStage scan(const scan_to_path::Progress& progress) override;
   scan_to_path::pipeline::JobInput input(const scan_to_path::pipeline::ScanStage& scanned) override;
-  std::optional<scan_to_path::program::ProgramFile> record() const override { return record_; }
   scan_to_path::pipeline::FitStage fit(const scan_to_path::pipeline::ScanStage& scanned,
                                        const scan_to_path::Progress& progress) override;
   scan_to_path::pipeline::PathStage path(const scan_to_path::process::Planner& planner,
@@ -49,7 +48,6 @@ private:
   StageResults& results_;
   ScanWaiting waiting_;
   Review* review_ = nullptr;
-  std::optional<scan_to_path::program::ProgramFile> record_;
   ros::WallTime scanned_;
   std::optional<double> path_delay_;
 };

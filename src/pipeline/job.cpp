@@ -62,7 +62,7 @@ private:
   void input() {
     input_ = stages_.input(scan_);
     output_.setInput(request_, options_, input_);
-    if (auto record = stages_.record()) output_.addFile(record->name, std::move(record->content));
+    if (input_.record) output_.addFile(input_.record->name, std::move(input_.record->content));
   }
 
   void fit() {

@@ -26,8 +26,9 @@ public:
     asked.push_back("scan");
     return scan_;
   }
-  JobInput input(const ScanStage&) override { return {"elsewhere", std::string(64, '0'), InputKind::cloud, Units::m}; }
-  std::optional<program::ProgramFile> record() const override { return program::ProgramFile{"scan.pcd", "kept"}; }
+  JobInput input(const ScanStage&) override {
+    return {"elsewhere", std::string(64, '0'), InputKind::cloud, Units::m, program::ProgramFile{"scan.pcd", "kept"}};
+  }
   FitStage fit(const ScanStage& scanned, const Progress& progress) override {
     asked.push_back("fit");
     return StageRunner::fit(scanned, progress);

@@ -18,6 +18,7 @@ struct JobInput {
   std::string sha256;  ///< of its bytes
   InputKind kind = InputKind::samples;
   Units units = Units::m;
+  std::optional<program::ProgramFile> record = std::nullopt;  ///< keeps the scan where the user has no file of it yet
 };
 
 /// Runs the stages of a job in their order. Here they run in this process; who has them run elsewhere overrides them.
@@ -36,10 +37,8 @@ public:
   virtual void read(const Progress&) {}
   virtual ScanStage scan(const Progress& progress) = 0;
 
-  /// What the scan was taken from, and then a file that keeps it where the user has none yet. Asked for last: such a
-  /// file is work that no stage waits for.
+  /// What the scan was taken from. Asked for last: a file that keeps it is work that no stage waits for.
   virtual JobInput input(const ScanStage& scanned) = 0;
-  virtual std::optional<program::ProgramFile> record() const { return std::nullopt; }
 
   virtual FitStage fit(const ScanStage& scanned, const Progress& progress) {
     return fitStage(scanned, options_.scan, options_.fit, options_.report, request_.threads, progress);
