@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
+#include "corners.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "scan_to_path/scan/line_fit.h"
 
 namespace scan_to_path::scan {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "corners.h"
 #include "line_table.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/parallel.h"

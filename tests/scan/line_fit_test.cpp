@@ -6,39 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "scan_to_path/common/random.h"
 #include "support/expect_input_error.h"
+#include "support/profile_rows.h"
 
 namespace scan_to_path::scan {
 namespace {
 
-using Height = std::function<double(double)>;
-
-/// `count` equal rows along x from 0 to 0.1 m, 4 mm apart.
-SampleRows rowsOf(const Height& z, double noise = 0.0, int count = 5, double spacing = 50e-6) {
-  Random random(7);
-  SampleRows rows;
-  rows.pitch = 0.004;
-  rows.spacing = spacing;
-  for (int row = 0; row < count; ++row) {
-    RowPiece piece;
-    piece.row = row;
-    piece.forward = row % 2 == 0;
-    for (double x = 0.0; x < 0.1; x += spacing) {
-      piece.x.push_back(x);
-      piece.y.push_back(0.004 * row);
-      piece.z.push_back(z(x) + noise * random.gaussian());
-      piece.index.push_back(0);
-    }
-    rows.pieces.push_back(piece);
-  }
-  return rows;
-}
-
-double shortWave(double x) { return 0.01 * std::sin(60.0 * x); }
-double roof(double x) { return x < 0.04 ? x : 0.08 - x; }
+using test::chamferedEnd;
+using test::Profile;
+using test::roof;
+using test::rowsOf;
+using test::shortWave;
 
 void cutOut(SampleRows& rows, double from, double to) {
   for (RowPiece& piece : rows.pieces) {
@@ -55,7 +34,7 @@ void cutOut(SampleRows& rows, double from, double to) {
   }
 }
 
-double largestError(const FittedLine& line, const Height& z) {
+double largestError(const FittedLine& line, const Profile& z) {
   double largest = 0.0;
   for (int k = 0; k <= 500; ++k) {
     const Vector3 p = nurbs::pointAt(line.curve, line.begin + (line.end - line.begin) * k / 500);
@@ -116,10 +95,6 @@ TEST(LineFit, CurvesAreInTheCloudsFrame) {
 
 TEST(LineFit, ACornerSplitsTheLine) {
   const SampleRows rows = rowsOf(roof, 10e-6);
-  const auto corners = findCorners(rows.pieces[0], {});
-  ASSERT_EQ(corners.size(), 1u);
-  EXPECT_NEAR(rows.pieces[0].x[corners[0].index], 0.04, 150e-6);
-  EXPECT_NEAR(corners[0].angle, std::atan(1.0) * 2.0, 0.05);
   const FittedLines fitted = fitLines(rows, {});
   ASSERT_EQ(fitted.lines.size(), 10u);
   EXPECT_TRUE(fitted.lines[0].begins_at_edge);
@@ -129,46 +104,25 @@ TEST(LineFit, ACornerSplitsTheLine) {
   EXPECT_LT(largestError(fitted.lines[0], roof), 60e-6);
   LineFitOptions off;
   off.corner_angle = 3.0;
-  EXPECT_TRUE(findCorners(rows.pieces[0], off).empty());
   EXPECT_GT(largestError(fitLines(rows, off).lines[0], roof), 20e-6);
 }
 
-/// Level, then falling at 45 degrees over the last `length`.
-Height chamferedEnd(double length) {
-  return [length](double x) { return std::min(0.0, 0.1 - length - x); };
-}
-
-SampleRows mirrored(SampleRows rows) {
-  for (RowPiece& piece : rows.pieces) {
-    for (double& x : piece.x) x = 0.1 - x;
-    for (auto* values : {&piece.x, &piece.y, &piece.z}) std::reverse(values->begin(), values->end());
-  }
-  return rows;
-}
-
 /// Largest height of what is beside the corner, `length` from either end, off the fitted lines.
-double largestErrorOfEnds(const SampleRows& rows, const Height& z) {
+double largestErrorOfEnds(const SampleRows& rows, const Profile& z) {
   double largest = 0.0;
   for (const FittedLine& line : fitLines(rows, {}).lines) largest = std::max(largest, largestError(line, z));
   return largest;
 }
 
 TEST(LineFit, ACornerNearALinesEndSplitsIt) {
-  // All shorter than the corner window of 1 mm; the shortest leaves four samples beyond the corner.
+  // All shorter than the corner window of 1 mm.
   for (const double length : {0.2e-3, 0.3e-3, 0.5e-3, 0.95e-3}) {
-    const Height z = chamferedEnd(length);
+    const Profile z = chamferedEnd(length);
     const SampleRows rows = rowsOf(z, 10e-6, 40);
-    const SampleRows reversed = mirrored(rows);
-    for (const RowPiece& piece : rows.pieces) {
-      const auto corners = findCorners(piece, {});
-      ASSERT_EQ(corners.size(), 1u) << length;
-      EXPECT_NEAR(piece.x[corners[0].index], 0.1 - length, 110e-6);  // two samples
-    }
-    for (const RowPiece& piece : reversed.pieces) EXPECT_EQ(findCorners(piece, {}).size(), 1u) << length;
     // At most two samples of the slope go along with the level, 100 um down, and the noise of a line's end is below 3
     // sigma.
     EXPECT_LT(largestErrorOfEnds(rows, z), 100e-6) << length;
-    EXPECT_LT(largestErrorOfEnds(reversed, [&](double x) { return z(0.1 - x); }), 100e-6) << length;
+    EXPECT_LT(largestErrorOfEnds(test::mirrored(rows), [&](double x) { return z(0.1 - x); }), 100e-6) << length;
   }
 }
 
@@ -180,37 +134,6 @@ TEST(LineFit, SamplesBeyondACornerTooFewToFitAreCounted) {
   ASSERT_EQ(fitted.dropped.size(), 1u);
   EXPECT_EQ(fitted.dropped[0].reason, "too short to fit");
   EXPECT_NEAR(static_cast<double>(fitted.dropped[0].count), 5.0 * 5.0, 5.0);
-}
-
-TEST(LineFit, NoisyAndRoundEndsAreNoCorners) {
-  // Four samples of 10 um noise, 50 um apart, have a slope that scatters by 0.09: not one of 2000 ends may show.
-  std::size_t corners = 0;
-  for (const RowPiece& piece : rowsOf(shortWave, 10e-6, 1000).pieces) corners += findCorners(piece, {}).size();
-  EXPECT_EQ(corners, 0u);
-  // A round of 2 mm and of 4 mm radius towards the end, down to a slope of 45 degrees.
-  for (const double radius : {2e-3, 4e-3}) {
-    const Height round = [radius](double x) {
-      const double s = x - (0.1 - radius * std::sqrt(0.5));
-      return s > 0.0 ? std::sqrt(radius * radius - s * s) - radius : 0.0;
-    };
-    for (const RowPiece& piece : rowsOf(round, 2e-6, 20).pieces) corners += findCorners(piece, {}).size();
-  }
-  EXPECT_EQ(corners, 0u);
-}
-
-TEST(LineFit, RoundsAndNoiseAreNoCorners) {
-  // A round of 4 mm radius between two slopes of 45 degrees turns by 0.25 rad within a window of 1 mm.
-  const Height round = [](double x) {
-    const double radius = 0.004;
-    const double s = std::abs(x - 0.05);
-    const double half = radius * std::sqrt(0.5);
-    return s < half ? std::sqrt(radius * radius - s * s) : half - (s - half);
-  };
-  EXPECT_TRUE(findCorners(rowsOf(round).pieces[0], {}).empty());
-  for (const double spacing : {10e-6, 50e-6, 200e-6}) {
-    const SampleRows noisy = rowsOf(shortWave, 10e-6, 3, spacing);
-    for (const RowPiece& piece : noisy.pieces) EXPECT_TRUE(findCorners(piece, {}).empty());
-  }
 }
 
 TEST(LineFit, AGapLongerThanAKnotSpanSplits) {

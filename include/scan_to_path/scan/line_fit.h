@@ -29,17 +29,6 @@ struct LineFitOptions {
   }
 };
 
-/// A corner between samples `index` - 1 and `index` of a piece.
-struct Corner {
-  std::size_t index = 0;
-  double angle = 0.0;  ///< change of direction [rad]
-};
-
-/// Bends sharper than corner_angle that do not get milder over half of the window, as a round would: the directions
-/// are those of least-squares lines on both sides. Towards the piece's ends the windows are cut short, down to three
-/// samples, and the bend must be six times what the samples' noise makes of it. O(samples).
-std::vector<Corner> findCorners(const RowPiece& piece, const LineFitOptions& options);
-
 struct FittedLines {
   std::vector<FittedLine> lines;  ///< in the cloud's frame, sorted by row, then along x
   std::vector<Dropped> dropped;   ///< "too short to fit"
