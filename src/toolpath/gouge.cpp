@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "solid_points.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/toolpath/ball_tool.h"
 #include "scan_to_path/toolpath/contact_frame.h"
 #include "scan_to_path/toolpath/outline_clip.h"
+#include "solid_points.h"
 
 namespace scan_to_path::toolpath {
 namespace {
@@ -33,7 +33,11 @@ double outside(double x, double low, double high) { return std::max({low - x, x 
 }  // namespace
 
 GougeCheck::GougeCheck(const scan::FittedScan& scan, double ball_radius, double tolerance, GougeTarget target)
-    : scan_(scan), surface_(scan.surface), radius_(ball_radius), tolerance_(tolerance) {
+    : scan_(scan),
+      T_scan_cloud_(scan.T_cloud_scan.inverse()),
+      surface_(scan.surface),
+      radius_(ball_radius),
+      tolerance_(tolerance) {
   if (!(radius_ > 0.0) || !std::isfinite(radius_)) {
     throw InputError("gouge check", "ball radius", fixed(radius_, 6) + " m", "positive");
   }
@@ -157,7 +161,7 @@ GougeCheck::Nearest GougeCheck::refined(const Vector3& centre, const Nearest& st
 }
 
 Vector3 GougeCheck::centreAt(const Waypoint& waypoint) const {
-  return ballCentre(scan_.T_cloud_scan.inverse() * waypoint.pose, radius_);
+  return ballCentre(T_scan_cloud_ * waypoint.pose, radius_);
 }
 
 /// The point that is deepest in a ball; nothing when none is in it.
@@ -206,7 +210,7 @@ bool GougeCheck::judgeMove(const Waypoint& from, const Waypoint& to, double allo
 
 bool GougeCheck::judgeWaypoint(const Segment& segment, std::size_t index, double allowance,
                                WaypointVerdict& verdict) const {
-  const Frame T_scan_contact = scan_.T_cloud_scan.inverse() * segment.waypoints[index].pose;
+  const Frame T_scan_contact = T_scan_cloud_ * segment.waypoints[index].pose;
   const double radius = radius_ + allowance;
   const Vector3 centre = ballCentre(T_scan_contact, radius_);
   const bool touches = isContact(segment, index);

@@ -64,6 +64,7 @@ private:
   const scan::FittedScan& scan_;
   std::unique_ptr<const SolidPoints> lines_;  ///< null when the lines do not count
   std::unique_ptr<const SolidPoints> obstacles_;
+  geometry::Frame T_scan_cloud_;
   ScanSurface surface_;
   double radius_;
   double tolerance_;
