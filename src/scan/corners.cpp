@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "scan_to_path/common/angles.h"
+
 namespace scan_to_path::scan {
 namespace {
 
@@ -62,6 +64,19 @@ public:
     const auto [begin, end] = around(i, window);
     if (i < begin + least_side || end < i + least_side) return 0.0;
     return sums_.direction(i, end).angle() - sums_.direction(begin, i).angle();
+  }
+
+  /// Whether the bend at sample i between whole windows is surely below the angle with the given tangent: most samples
+  /// are passed over without working out an angle. Samples are to be asked for in rising order.
+  bool isBelow(double tangent, std::size_t i) {
+    while (piece_.x[begin_] < piece_.x[i] - window_) ++begin_;
+    while (end_ < piece_.size() && piece_.x[end_] < piece_.x[i] + window_) ++end_;
+    if (i < begin_ + least_side || end_ < i + least_side) return true;
+    const Direction before = sums_.direction(begin_, i);
+    const Direction after = sums_.direction(i, end_);
+    const double sine = before.variance * after.covariance - before.covariance * after.variance;
+    const double cosine = before.variance * after.variance + before.covariance * after.covariance;
+    return std::abs(sine) < tangent * cosine;
   }
 
   /// The sample about which the bend is largest, from `from` to the end of one window.
@@ -156,6 +171,8 @@ private:
   const RowPiece& piece_;
   PrefixSums sums_;
   double window_;
+  std::size_t begin_ = 0;  ///< of the window before the sample that isBelow() was asked for last
+  std::size_t end_ = 0;    ///< of the one after it
 };
 
 }  // namespace
@@ -165,13 +182,15 @@ std::vector<Corner> findCorners(const RowPiece& piece, const LineFitOptions& opt
   if (piece.size() < 8) return corners;
   const double spacing = (piece.x.back() - piece.x.front()) / static_cast<double>(piece.size() - 1);
   const double window = std::max(options.corner_window, 8.0 * spacing);
-  const BendFinder finder(piece, window);
+  BendFinder finder(piece, window);
+  const double half = 0.5 * options.corner_angle;
+  const double tangent = half < right_angle ? std::tan(half) : 0.0;
   double next = piece.x.front();
   for (std::size_t i = 1; i < piece.size(); ++i) {
     if (piece.x[i] < next) continue;
     // Half way into a window a corner still shows three quarters of its angle.
     next = piece.x[i] + 0.25 * finder.shorterWindow(i);
-    if (std::abs(finder.bend(i, window)) < 0.5 * options.corner_angle) continue;
+    if (finder.isBelow(tangent, i) || std::abs(finder.bend(i, window)) < half) continue;
     const Corner corner = finder.corner(finder.sharpest(i));
     if (corner.angle < options.corner_angle || !finder.isSharp(corner) || !finder.isAboveNoise(corner)) continue;
     if (!corners.empty() && corner.index <= corners.back().index) continue;
