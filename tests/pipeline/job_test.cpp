@@ -182,8 +182,7 @@ TEST_F(JobTest, APartialProgramOnlyWhenAskedForAndNeverAgainstATolerance) {
   auto job = request("groove");
   job.input = *directory_ / "groove.csv";
   std::ofstream(job.input) << scan::formatSampleLog(smallScan(groove));
-  JobOptions options;
-  options.path.ball_radius = 0.0135;
+  JobOptions options = grooveOptions();
   EXPECT_EQ(runJob(job, options, {}).exit, 1);
   EXPECT_FALSE(files(job).count("program.mod"));
   job.allow_partial = true;
@@ -219,8 +218,7 @@ TEST_F(JobTest, AnAirRunOfAPartialProgramFailsAsAWhole) {
   job.input = *directory_ / "groove_air.csv";
   std::ofstream(job.input) << scan::formatSampleLog(smallScan(groove));
   job.allow_partial = true;
-  JobOptions options;
-  options.path.ball_radius = 0.0135;
+  JobOptions options = grooveOptions();
   options.program.dry_offset = 0.05;
   EXPECT_EQ(runJob(job, options, {}).exit, 1);
   EXPECT_TRUE(files(job).count("program.mod"));

@@ -10,6 +10,7 @@
 
 #include "scan_to_path/geometry/height_field.h"
 #include "scan_to_path/pipeline/cell.h"
+#include "scan_to_path/pipeline/job_options.h"
 #include "scan_to_path/sensing/emulate_scan.h"
 
 namespace scan_to_path::pipeline {
@@ -48,6 +49,16 @@ private:
   static constexpr double depth = 0.003;
   static constexpr double width = 0.0085;
 };
+
+/// A ball that does not reach the groove's bottom. Rows and moves are coarse: a partial path is planned many times over.
+inline JobOptions grooveOptions() {
+  JobOptions options;
+  options.path.ball_radius = 0.0135;
+  options.path.scallop_height = 3e-4;
+  options.path.chord_tolerance = 5e-5;
+  options.motion.chord_tolerance = 1e-4;
+  return options;
+}
 
 /// A directory of this test's own, empty.
 inline std::filesystem::path freshDirectory(const std::string& name) {

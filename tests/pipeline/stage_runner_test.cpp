@@ -94,7 +94,7 @@ TEST_F(StageRunnerTest, WhoeverRunsTheStagesTheFilesAreTheSame) {
 
 TEST_F(StageRunnerTest, APartialPathIsReplannedHereWhoeverRunsTheStages) {
   std::ofstream(directory_ / "groove.csv") << scan::formatSampleLog(smallScan(Groove()));
-  options_.path.ball_radius = 0.0135;
+  options_ = grooveOptions();
   for (const double dry_offset : {0.0, 0.05}) {
     options_.program.dry_offset = dry_offset;
     JobRequest local = request("groove.csv", "local");
