@@ -125,6 +125,12 @@ JointReadings::Weights JointReadings::weightsAt(double time, std::size_t cursor)
            end_share + chord / h - chord_right / h_right, chord_right / h_right}};
 }
 
+robot::JointVector JointReadings::anglesOf(std::size_t reading) const {
+  std::array<double, 8> counts{};
+  for (std::size_t k = 0; k < column_.size(); ++k) counts[k] = row(reading)[column_[k]];
+  return encoders_.angles(counts.data());
+}
+
 JointReadings::Status JointReadings::anglesAt(double time, std::size_t& cursor, robot::JointVector& angles) const {
   if (!bracket(time, cursor)) return Status::outside;
   const std::size_t joints = column_.size();

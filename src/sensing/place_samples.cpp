@@ -9,6 +9,7 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/parallel.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/sensing/joint_jumps.h"
 #include "scan_to_path/sensing/joint_readings.h"
 
 namespace scan_to_path::sensing {
@@ -207,6 +208,10 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
       placeBlock(placement, begin, std::min(begin + block_size, samples), &scan.cloud.points[begin], blocks[b]);
     }
   });
+  if (options.max_joint_jump > 0.0) {
+    checkJointJumps(readings, robot, placement.tolerance, options.max_joint_jump, options.max_joint_gap, threads,
+                    progress);
+  }
   scan.dropped = droppedByReason(blocks);
   joinBlocks(blocks, scan.cloud);
   scan.no_returns = joinedNoReturns(blocks, laser);

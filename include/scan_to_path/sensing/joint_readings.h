@@ -31,6 +31,14 @@ public:
   /// `cursor` is where the search starts; kept by a caller whose times rise, it makes the search one step.
   Status anglesAt(double time, std::size_t& cursor, robot::JointVector& angles) const;
 
+  std::size_t size() const { return log_.joint_time.size(); }
+
+  /// Of a reading, on the encoders' clock [s].
+  double timeOf(std::size_t reading) const { return log_.joint_time[reading]; }
+
+  /// Joint angles of a reading [rad], in the robot's order.
+  robot::JointVector anglesOf(std::size_t reading) const;
+
 private:
   struct Weights {
     double value[4];  ///< of the readings cursor - 1, cursor, cursor + 1, cursor + 2

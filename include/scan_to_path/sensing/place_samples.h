@@ -24,11 +24,13 @@ using geometry::Vector3;
 struct PlacementOptions {
   double clock_offset = 0.0;
   double max_joint_gap = 0.05;
+  double max_joint_jump = 5e-5;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.clock_offset, Field{"clock_offset", "s", "added to the sensor's time to get the encoders' time", -1.0, 1.0});
     visit(self.max_joint_gap, Field{"max_joint_gap", "s", "a sample between joint readings farther apart is dropped", 0.0, 10.0});
+    visit(self.max_joint_jump, Field{"max_joint_jump", "rad", "a larger step of a joint that its motion before and after does not explain is refused; 0: none is", 0.0, 10.0});
   }
 };
 
@@ -43,8 +45,8 @@ struct PlacedScan {
 
 /// Pulses to joint angles (interpolated to the sensor's time), forward kinematics, p_B = T_BE T_EM (0, 0, d, 1)^T
 /// (seed 000 eqs. 1 and 2). Throws InputError when no sample at all can be placed (asking for another sweep where all
-/// are out of the sensor's range), or a joint is outside its limits
-/// by more than a count, naming joint, value, sample and limit.
+/// are out of the sensor's range), a joint is outside its limits
+/// by more than a count, naming joint, value, sample and limit, or jumps (joint_jumps.h).
 PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
                         const PointLaserOptions& laser, const Frame& T_tip_sensor, const PlacementOptions& options,
                         int threads = 1, const Progress& progress = {});
