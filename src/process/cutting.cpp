@@ -234,7 +234,7 @@ private:
     const UncoveredArea uncovered =
         uncoveredArea(planned.path, planned.allowances, scan, options_.ball_radius, heightLeft(whole_figures));
     const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance, target);
-    planned.findings = gouges.check(planned.path, planned.allowances);
+    planned.findings = gouges.check(planned.path, planned.allowances, options_.chord_tolerance);
     setTravelFigures(planned);
     setFigure(planned.figures, {"uncovered_area", uncovered.area, "m^2"});
     setFigure(planned.figures, {"uncovered_share", uncovered.share, "1"});

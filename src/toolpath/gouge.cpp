@@ -18,10 +18,10 @@ namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double cells_per_radius = 16.0;
-constexpr std::size_t block_side = 4;        // nodes
-constexpr double most_nodes = 5e7;           // 400 MB
-constexpr double line_spacing = 0.25;        // cells: half of it beside the deepest point is 1 um of a ball of 20 mm
-constexpr double own_surroundings = 2.0;     // cells around the contact, where the ball rests on the surface
+constexpr std::size_t block_side = 4;     // nodes
+constexpr double most_nodes = 5e7;        // 400 MB
+constexpr double line_spacing = 0.25;     // cells: half of it beside the deepest point is 1 um of a ball of 20 mm
+constexpr double own_surroundings = 2.0;  // cells around the contact, where the ball rests on the surface
 
 std::string millimetres(double metres) { return fixed(1e3 * metres, 3) + " mm"; }
 
@@ -160,10 +160,6 @@ GougeCheck::Nearest GougeCheck::refined(const Vector3& centre, const Nearest& st
   return nearest;
 }
 
-Vector3 GougeCheck::centreAt(const Waypoint& waypoint) const {
-  return ballCentre(T_scan_cloud_ * waypoint.pose, radius_);
-}
-
 /// The point that is deepest in a ball; nothing when none is in it.
 std::optional<GougeCheck::Deepest> GougeCheck::deepest(const Vector3& centre, double radius,
                                                        const Vector3* contact) const {
@@ -181,10 +177,10 @@ std::optional<GougeCheck::Deepest> GougeCheck::deepest(const Vector3& centre, do
   return found;
 }
 
-bool GougeCheck::entersAt(const Vector3& centre, double radius, const Vector3* contact,
+bool GougeCheck::entersAt(const Vector3& centre, double radius, double tolerance, const Vector3* contact,
                           WaypointVerdict& verdict) const {
   const auto found = deepest(centre, radius, contact);
-  if (!found || (found->point - centre).norm() >= radius - tolerance_) return false;
+  if (!found || (found->point - centre).norm() >= radius - tolerance) return false;
   const Vector3 place = scan_.T_cloud_scan * found->point;
   verdict.margin = (found->point - centre).norm() - radius;
   verdict.reason = "the ball goes " + millimetres(-verdict.margin) +
@@ -195,17 +191,30 @@ bool GougeCheck::entersAt(const Vector3& centre, double radius, const Vector3* c
   return true;
 }
 
-bool GougeCheck::judgeMove(const Waypoint& from, const Waypoint& to, double allowance, WaypointVerdict& verdict) const {
-  const Vector3 begin = centreAt(from);
-  const Vector3 end = centreAt(to);
+/// Sweeps the ball along a straight move, its ends left out, and tells where it is deepest. Where it is on the surface
+/// at both ends, it is all the way.
+bool GougeCheck::judgeMove(const Waypoint& from, const Waypoint& to, double allowance, double tolerance,
+                           bool on_surface, WaypointVerdict& verdict) const {
+  const Frame T_from = T_scan_cloud_ * from.pose;
+  const Frame T_to = T_scan_cloud_ * to.pose;
+  const double radius = radius_ + allowance;
+  const Vector3 begin = ballCentre(T_from, radius_);
+  const Vector3 end = ballCentre(T_to, radius_);
   const int steps = static_cast<int>(std::ceil((end - begin).norm() / spacing_));
+  std::optional<WaypointVerdict> worst;
   for (int i = 1; i < steps; ++i) {
-    const Vector3 centre = begin + (end - begin) * i / steps;
-    if (!entersAt(centre, radius_ + allowance, nullptr, verdict)) continue;
-    verdict.reason = "on the move to it " + verdict.reason;
-    return true;
+    const double share = static_cast<double>(i) / steps;
+    const Vector3 centre = begin + share * (end - begin);
+    const Vector3 normal = (1.0 - share) * T_from.linear().col(2) + share * T_to.linear().col(2);
+    const Vector3 contact = centre - radius * normal.normalized();
+    WaypointVerdict here = verdict;
+    if (!entersAt(centre, radius, tolerance, on_surface ? &contact : nullptr, here)) continue;
+    if (!worst || here.margin < worst->margin) worst = std::move(here);
   }
-  return false;
+  if (!worst) return false;
+  verdict = std::move(*worst);
+  verdict.reason = "on the move to it " + verdict.reason;
+  return true;
 }
 
 bool GougeCheck::judgeWaypoint(const Segment& segment, std::size_t index, double allowance,
@@ -225,10 +234,11 @@ bool GougeCheck::judgeWaypoint(const Segment& segment, std::size_t index, double
       return true;
     }
   }
-  return entersAt(centre, radius, touches ? &contact : nullptr, verdict);
+  return entersAt(centre, radius, tolerance_, touches ? &contact : nullptr, verdict);
 }
 
-std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::vector<double>& allowance) const {
+std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::vector<double>& allowance,
+                                               double chord_tolerance) const {
   if (!allowance.empty() && allowance.size() != path.segments.size()) {
     throw InputError("gouge check", "number of allowances", std::to_string(allowance.size()),
                      "one for each of the " + std::to_string(path.segments.size()) + " segments");
@@ -246,9 +256,10 @@ std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::
       const double left = allowance.empty() ? 0.0 : allowance[s];
       const Waypoint& waypoint = path.segments[s].waypoints[i];
       const bool touches = isContact(path.segments[s], i);
-      const bool is_swept = before != nullptr && !(touched && touches);
+      const bool on_surface = touched && touches;
+      const double tolerance = tolerance_ + (on_surface ? chord_tolerance : 0.0);
       if (judgeWaypoint(path.segments[s], i, left, verdict) ||
-          (is_swept && judgeMove(*before, waypoint, left, verdict))) {
+          (before != nullptr && judgeMove(*before, waypoint, left, tolerance, on_surface, verdict))) {
         gouges.push_back(std::move(verdict));
       }
       before = &waypoint;

@@ -178,6 +178,46 @@ TEST(Gouge, MovesInTheAirAreSwept) {
   EXPECT_TRUE(GougeCheck(scan, radius, tolerance).check(crossing(0.0205)).empty());
 }
 
+TEST(Gouge, MovesFromContactToContactAreSwept) {
+  // A boss 4 mm high and 2 mm wide beside the row, its top half way between two contacts 5 mm apart: the ball is 0.2 mm
+  // in it there and free of it at both.
+  const auto f = [](double x, double y) {
+    return 0.004 * std::exp(-(x * x + std::pow(y - 0.0056, 2)) / (0.001 * 0.001));
+  };
+  constexpr double small = 0.006;
+  const geometry::Rectangle around = {-0.012, 0.012, -0.008, 0.014};
+  const auto scan = test::fittedScan(f, around, 0.0005, 96, 88);
+  ToolPath path = test::planeRows(1, 0.0, 1.0, 3);
+  const auto place = [&](double x) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector3 contact(x + 0.005 * static_cast<double>(i) - 0.01, 0.0, 0.0);
+      path.segments[0].waypoints[i].pose =
+          scan.T_cloud_scan * contactFrame(contact, Vector3::UnitZ(), Vector3::UnitX());
+    }
+  };
+  const auto depth = [&](double x) {
+    double nearest = 1.0;
+    for (double u = -0.003; u <= 0.003; u += 2e-5) {
+      for (double v = 0.004; v <= 0.014; v += 2e-5) {
+        nearest = std::min(nearest, std::hypot(std::hypot(u - x, v), f(u, v) - small));
+      }
+    }
+    return small - nearest;
+  };
+  place(0.0025);  // contacts at -7.5, -2.5, 2.5 and 7.5 mm
+  ASSERT_GT(depth(0.0), 1e-4);
+  ASSERT_LT(depth(0.0025), 0.0);
+  const auto gouges = GougeCheck(scan, small, tolerance).check(path);
+  ASSERT_EQ(gouges.size(), 1U);
+  EXPECT_EQ(gouges[0].index, 2);  // where the move leads to
+  EXPECT_NE(gouges[0].reason.find("on the move to it the ball goes"), std::string::npos) << gouges[0].reason;
+  // Steps of a sixteenth of the radius miss the deepest place by a 32nd: (r / 32)^2 / 2r = 3 um; the fit is good to 10
+  // um.
+  EXPECT_NEAR(-gouges[0].margin, depth(0.0), 2e-5);
+  // What straight moves may leave the surface by is not held against them.
+  EXPECT_TRUE(GougeCheck(scan, small, tolerance).check(path, {}, 1.1 * depth(0.0)).empty());
+}
+
 // A smooth surface cuts a fold's corner; the lines show the wall behind it.
 TEST(Gouge, LinesThatLeaveTheSurfaceCount) {
   const auto f = wall(0.015);
@@ -225,8 +265,11 @@ TEST(Gouge, RejectsBadArguments) {
   test::expectInputError([&] { GougeCheck(scan, 0.0, tolerance); }, "ball radius");
   test::expectInputError([&] { GougeCheck(scan, 1e-6, tolerance); }, "larger for a part of this extent");
   test::expectInputError([&] { GougeCheck(scan, radius, -1.0); }, "tolerance");
-  test::expectInputError([&] { GougeCheck(scan, radius, tolerance).check(rowOn(scan, 0.1, 0.2, 2), {0.0, 0.0}); },
-                         "number of allowances is 2");
+  test::expectInputError(
+      [&] {
+        GougeCheck(scan, radius, tolerance).check(rowOn(scan, 0.1, 0.2, 2), {0.0, 0.0});
+      },
+      "number of allowances is 2");
 }
 
 }  // namespace

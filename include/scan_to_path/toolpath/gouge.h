@@ -34,10 +34,12 @@ public:
   ~GougeCheck();
 
   /// The waypoints of a path (in the scan's cloud frame) that gouge, themselves or on the move that leads to them, in
-  /// path order. Moves from contact to contact are followed by their chord tolerance, all others are swept. `allowance`
-  /// is the stock that each segment leaves on the surface [m]; empty means none. The margin is the hollow's radius less the ball's, or the
-  /// ball's depth in the surface as a negative number [m].
-  std::vector<WaypointVerdict> check(const ToolPath& path, const std::vector<double>& allowance = {}) const;
+  /// path order. All moves are swept; between two contacts the ball may go deeper by `chord_tolerance` [m], by which
+  /// the straight move may leave the surface. `allowance` is the stock that each segment leaves on the surface [m];
+  /// empty means none. The margin is the hollow's radius less the ball's, or the ball's depth in the surface as a
+  /// negative number [m].
+  std::vector<WaypointVerdict> check(const ToolPath& path, const std::vector<double>& allowance = {},
+                                     double chord_tolerance = 0.0) const;
 
 private:
   struct Nearest {
@@ -51,15 +53,16 @@ private:
   void searchBlock(std::size_t block_x, std::size_t block_y, const Vector3& centre, double reach,
                    const Vector3* contact, std::optional<Nearest>& nearest) const;
   Nearest refined(const Vector3& centre, const Nearest& start) const;
-  Vector3 centreAt(const Waypoint& waypoint) const;
   struct Deepest {
     Vector3 point = Vector3::Zero();
     bool is_part = true;
   };
   std::optional<Deepest> deepest(const Vector3& centre, double radius, const Vector3* contact) const;
-  bool entersAt(const Vector3& centre, double radius, const Vector3* contact, WaypointVerdict& verdict) const;
+  bool entersAt(const Vector3& centre, double radius, double tolerance, const Vector3* contact,
+                WaypointVerdict& verdict) const;
   bool judgeWaypoint(const Segment& segment, std::size_t index, double allowance, WaypointVerdict& verdict) const;
-  bool judgeMove(const Waypoint& from, const Waypoint& to, double allowance, WaypointVerdict& verdict) const;
+  bool judgeMove(const Waypoint& from, const Waypoint& to, double allowance, double tolerance, bool on_surface,
+                 WaypointVerdict& verdict) const;
 
   const scan::FittedScan& scan_;
   std::unique_ptr<const SolidPoints> lines_;  ///< null when the lines do not count
