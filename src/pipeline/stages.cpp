@@ -66,20 +66,40 @@ Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
   return bounds;
 }
 
-void addClockOffset(const sensing::ClockOffsetEstimate& estimate, double used, const ReportOptions& limits,
-                    ScanStage& stage) {
-  if (!estimate.is_observable) {
-    stage.notes.push_back("clock offset between sensor and encoders not observable: " + estimate.reason);
+/// Where the log does not tell the offset, only its user can: what is placed by an offset that nobody knows is wrong by
+/// the feed of the scan times it.
+void addUnknownClockOffset(const sensing::ClockOffsetEstimate& estimate, double stated, const ReportOptions& limits,
+                           ScanStage& stage) {
+  std::string note = "clock offset between sensor and encoders not observable: " + estimate.reason;
+  const bool is_needed = estimate.observability == sensing::Observability::none && stated == 0.0;
+  if (is_needed && limits.max_clock_offset > 0.0) {
+    stage.accuracy.push_back({"clock_offset_unknown", 1.0, "", 0.0});
+    note += "; scan rows to and fro, state a calibrated one in scan.placement.clock_offset, or take it as it is with "
+            "--set report.max_clock_offset=0";
+  }
+  stage.notes.push_back(std::move(note));
+}
+
+/// `stated` is the user's offset, `used` the one that samples are placed with [s].
+void addClockOffset(const sensing::ClockOffsetEstimate& estimate, double stated, double used,
+                    const ReportOptions& limits, ScanStage& stage) {
+  const bool is_uncertain = estimate.observability == sensing::Observability::uncertain;
+  if (estimate.observability != sensing::Observability::observable && !is_uncertain) {
+    addUnknownClockOffset(estimate, stated, limits, stage);
     return;
   }
+  const double left = estimate.offset - used, error = estimate.standard_error;
   stage.accuracy.push_back({"clock_offset", estimate.offset, "s"});
-  stage.accuracy.push_back({"clock_offset_standard_error", estimate.standard_error, "s"});
-  const double left = estimate.offset - used;
-  const Accuracy figure = {"clock_offset_left", std::abs(left), "s", limitUnlessZero(limits.max_clock_offset)};
+  stage.accuracy.push_back({"clock_offset_standard_error", error, "s", limitUnlessZero(limits.max_clock_offset)});
+  // An uncertain estimate says that there is an offset where two standard errors do not explain it.
+  const double surely_left = std::max(std::abs(left) - (is_uncertain ? 2.0 * error : 0.0), 0.0);
+  const Accuracy figure = {"clock_offset_left", surely_left, "s", limitUnlessZero(limits.max_clock_offset)};
   stage.accuracy.push_back(figure);
+  if (is_uncertain) stage.notes.push_back("clock offset between sensor and encoders uncertain: " + estimate.reason);
   if (!figure.pass()) {
-    stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * left, 3) +
-                          " ms; correct it with --set scan.correct_clock_offset=true");
+    stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * left, 3) + " ms; " +
+                          (is_uncertain ? "state a calibrated offset in scan.placement.clock_offset"
+                                        : "correct it with --set scan.correct_clock_offset=true"));
   }
 }
 
@@ -119,12 +139,14 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
                                                      options.placement, options.clock_offset, progress);
   sensing::PlacementOptions placement = options.placement;
   if (options.correct_clock_offset) {
-    if (!estimate.is_observable) throw InputError("scan.correct_clock_offset: " + estimate.reason);
+    if (estimate.observability != sensing::Observability::observable) {
+      throw InputError("scan.correct_clock_offset: " + estimate.reason);
+    }
     placement.clock_offset = estimate.offset;
   }
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
-  addClockOffset(estimate, placement.clock_offset, limits, stage);
+  addClockOffset(estimate, options.placement.clock_offset, placement.clock_offset, limits, stage);
   stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(placed.cloud));
   stage.no_returns = std::move(placed.no_returns);
   stage.mean_beam = placed.mean_beam;

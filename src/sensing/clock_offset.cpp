@@ -110,26 +110,34 @@ std::string whyTooFewGroups(const std::vector<MotionRow>& rows) {
          std::to_string(rows_compared + fewest_groups - 1);
 }
 
-/// Gauss-Newton steps from estimate.offset; why there is no answer, empty when there is.
+/// Gauss-Newton steps from estimate.offset.
 template <class Compare>
-std::string iterate(const ClockOffsetOptions& options, const Progress& progress, ClockOffsetEstimate& estimate,
-                    const Compare& compare) {
+void iterate(const ClockOffsetOptions& options, const Progress& progress, ClockOffsetEstimate& estimate,
+             const Compare& compare) {
+  const double start = estimate.offset;
+  const auto giveUp = [&](Observability observability, const std::string& reason) {
+    estimate.observability = observability;
+    estimate.reason = reason;
+    if (observability != Observability::uncertain) estimate.offset = start;
+  };
   for (estimate.iterations = 1; estimate.iterations <= most_iterations; ++estimate.iterations) {
     progress.checkCancelled();
     const std::vector<RowComparison> comparisons = compare(estimate.offset);
     estimate.cells = static_cast<int>(comparisons.size());
     if (comparisons.size() < fewest_comparisons) {
-      return "the part has no slopes along the rows, " + std::to_string(comparisons.size()) + " places with some";
+      return giveUp(Observability::flat, "the part has no slopes along the rows, " +
+                                             std::to_string(comparisons.size()) + " places with some");
     }
     const Solution solution = solveOffset(comparisons);
     estimate.offset += solution.dt;
     estimate.standard_error = solution.standard_error;
     if (std::abs(solution.dt) >= converged) continue;
-    if (estimate.standard_error <= options.max_standard_error) return {};
-    return "the standard error is " + fixed(estimate.standard_error * 1e6, 1) + " us, above " +
-           fixed(options.max_standard_error * 1e6, 1) + " us";
+    estimate.observability = Observability::observable;
+    if (estimate.standard_error <= options.max_standard_error) return;
+    return giveUp(Observability::uncertain, "the standard error is " + fixed(estimate.standard_error * 1e6, 1) +
+                                                " us, above " + fixed(options.max_standard_error * 1e6, 1) + " us");
   }
-  return "rows do not come to agree in " + std::to_string(most_iterations) + " steps";
+  giveUp(Observability::none, "rows do not come to agree in " + std::to_string(most_iterations) + " steps");
 }
 
 }  // namespace
@@ -154,11 +162,9 @@ ClockOffsetEstimate estimateClockOffset(const scan::SampleLog& log, const robot:
     estimate.reason = whyTooFewGroups(rows.rows);
     return estimate;
   }
-  estimate.reason = iterate(options, progress, estimate, [&](double offset) {
+  iterate(options, progress, estimate, [&](double offset) {
     return compareRows(log, laser, motion, rows, groups, {options.cell, options.min_slope}, offset);
   });
-  estimate.is_observable = estimate.reason.empty();
-  if (!estimate.is_observable) estimate.offset = placement.clock_offset;
   progress.update("estimating the clock offset", 1.0);
   return estimate;
 }

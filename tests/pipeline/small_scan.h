@@ -22,9 +22,11 @@ inline const std::vector<std::filesystem::path> source_package = {SCAN_TO_PATH_S
 inline geometry::Saddle smallPart() { return geometry::Saddle(0.15, 0.03); }
 
 /// Scan with little noise of the small part, or of a scene, over 60 mm by 60 mm at 4 mm pitch, without a table.
-inline scan::SampleLog smallScan(const geometry::Surface& scene = smallPart()) {
+inline scan::SampleLog smallScan(const geometry::Surface& scene = smallPart(),
+                                 sensing::RasterOrder order = sensing::RasterOptions().order) {
   const Cell cell = makeCell(CellOptions(), source_package);
   sensing::EmulationOptions options;
+  options.raster.order = order;
   options.errors.noise_sigma = 2e-6;
   const Eigen::AlignedBox2d rectangle(Eigen::Vector2d(-0.03, -0.03), Eigen::Vector2d(0.03, 0.03));
   return sensing::emulateScan(scene, rectangle, cell.T_base_workpiece, cell.robot, cell.encoders, cell.laser,

@@ -54,6 +54,44 @@ TEST(Stages, CloudsInMillimetresAreScaledOrSuggested) {
   }
 }
 
+TEST(Stages, AClockOffsetThatTheScanDoesNotTellIsTheUsersToState) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const auto one_way = smallScan(smallPart(), sensing::RasterOrder::one_way);
+  const ScanStage unknown = scanFromSamples(one_way, cell, {}, {}, 1, {});
+  EXPECT_TRUE(fails(unknown.accuracy, "clock_offset_unknown"));
+  ASSERT_EQ(unknown.notes.size(), 1U);
+  EXPECT_THAT(unknown.notes[0], HasSubstr("all rows run in one direction; scan rows to and fro, state"));
+  ScanSection stated;
+  stated.placement.clock_offset = 1e-6;
+  EXPECT_FALSE(fails(scanFromSamples(one_way, cell, stated, {}, 1, {}).accuracy, "clock_offset_unknown"));
+  ReportOptions any;
+  any.max_clock_offset = 0.0;
+  EXPECT_FALSE(fails(scanFromSamples(one_way, cell, {}, any, 1, {}).accuracy, "clock_offset_unknown"));
+  // A flat part looks the same with any offset.
+  const geometry::FlatPart flat(geometry::Rectangle{-0.03, 0.03, -0.03, 0.03});
+  const ScanStage plate = scanFromSamples(smallScan(flat), cell, {}, {}, 1, {});
+  EXPECT_FALSE(fails(plate.accuracy, "clock_offset_unknown"));
+  EXPECT_THAT(plate.notes, ::testing::ElementsAre(HasSubstr("no slopes along the rows")));
+}
+
+TEST(Stages, AnUncertainClockOffsetFailsOnlyWhereItIsSurelyThere) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  auto log = smallScan();
+  ScanSection strict;
+  strict.clock_offset.max_standard_error = 1e-9;
+  const ScanStage good = scanFromSamples(log, cell, strict, {}, 1, {});
+  EXPECT_THAT(good.notes, ::testing::ElementsAre(HasSubstr("uncertain: the standard error is ")));
+  EXPECT_FALSE(fails(good.accuracy, "clock_offset_left"));
+  for (double& time : log.sensor_time) time -= 1e-3;
+  const ScanStage off = scanFromSamples(log, cell, strict, {}, 1, {});
+  EXPECT_TRUE(fails(off.accuracy, "clock_offset_left"));
+  EXPECT_THAT(off.notes, ::testing::Contains(HasSubstr("state a calibrated offset in scan.placement.clock_offset")));
+  // An offset known no better than to the limit is not known to be within it.
+  ReportOptions tight;
+  tight.max_clock_offset = 0.5 * figure(good.accuracy, "clock_offset_standard_error").value;
+  EXPECT_TRUE(fails(scanFromSamples(smallScan(), cell, strict, tight, 1, {}).accuracy, "clock_offset_standard_error"));
+}
+
 TEST(Stages, TheFitsLimitsComeFromTheOptions) {
   const Cell cell = makeCell(CellOptions(), source_package);
   const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});

@@ -26,11 +26,19 @@ struct ClockOffsetOptions {
   }
 };
 
+/// What a scan tells of the offset.
+enum class Observability {
+  observable,
+  uncertain,  ///< there is an estimate, its standard error above the largest that was asked for
+  flat,       ///< no slopes along the rows: an offset shows at the part's edges alone
+  none,       ///< rows in one direction, too few of them, or rows that do not come to agree
+};
+
 /// The offset and how well it is known.
 struct ClockOffsetEstimate {
-  bool is_observable = false;
-  std::string reason;           ///< why it is not, in words; empty when it is
-  double offset = 0.0;          ///< that makes rows agree; when not observable, where the search started [s]
+  Observability observability = Observability::none;
+  std::string reason;           ///< why it is not observable, in words; empty when it is
+  double offset = 0.0;          ///< that makes rows agree; where the search started when there is no estimate [s]
   double standard_error = 0.0;  ///< from the scatter between groups of rows [s]
   int rows = 0;                 ///< looked at
   int cells = 0;                ///< places used
