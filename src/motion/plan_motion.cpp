@@ -9,6 +9,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/motion/driven_feed.h"
 #include "scan_to_path/motion/straight_move.h"
 #include "scan_to_path/motion/timing.h"
 #include "scan_to_path/motion/waypoint_check.h"
@@ -163,16 +164,19 @@ public:
     const bool is_first = plan_.trajectory.points.empty();
     const std::vector<JointVector> knots = reach(solver_, seed_, target, is_first, &miss);
     WaypointVerdict verdict;
+    double feed = target.feed;
     if (knots.empty()) {
       verdict = unreachableVerdict(target.T_base_tip, miss);
     } else {
       const Arrival arrival = is_first ? start(target, knots.back()) : arrive(target, knots);
       verdict = motion::checkWaypoint(robot_, knots.back(), is_first ? nullptr : &arrival, options_);
+      feed = arrival.feed;
       seed_ = knots.back();
     }
     verdict.segment = target.segment;
     verdict.index = target.index;
     plan_.verdicts.push_back(verdict);
+    plan_.feeds.push_back(feed);
   }
 
   MotionPlan plan() {
@@ -190,13 +194,14 @@ private:
 
   Arrival start(const Target& target, const JointVector& q) {
     append(target, q);
-    return {};
+    return {{}, {}, {}, target.feed, target.process_on};
   }
 
   /// The straight move from the last point along the knots.
   Arrival arrive(const Target& target, const std::vector<JointVector>& knots) {
     if (plan_.trajectory.points.back().segment != target.segment && !moves_.empty()) moves_.back().stop = true;
     const JointVector zero = JointVector::Zero(robot_.dof());
+    const std::size_t first_move = moves_.size();
     Arrival arrival{{}, zero, zero, target.feed, target.process_on};
     for (const JointVector& knot : knots) {
       StraightMove move = straightMove(solver_, plan_.trajectory.points.back().q, knot);
@@ -204,6 +209,8 @@ private:
       move.between.push_back(knot);
       for (const JointVector& q : move.between) addMove(target, q, arrival);
     }
+    arrival.feed = drivenFeed(robot_, arrival, options_);
+    for (std::size_t i = first_move; i < moves_.size(); ++i) moves_[i].feed = arrival.feed;
     return arrival;
   }
 

@@ -63,8 +63,13 @@ Finding speed(const robot::Robot& robot, const Arrival& arrival, const MotionOpt
     worst.margin = limit - needed;
     worst.share = worst.margin / limit;
     worst.reason = joint.name + " needs " + withUnit(needed, "rad/s") + ", limit " + withUnit(limit, "rad/s");
-    worst.remedy = "lower the feed to " + withUnit(arrival.feed * limit / needed, "m/s") + ", or move or turn the part";
+    worst.remedy = "lower the feed to " + withUnit(arrival.feed * limit / needed, "m/s");
   }
+  if (options.least_feed_share < 1.0) {
+    worst.remedy +=
+        " (motion.least_feed_share allows " + withUnit(options.least_feed_share * arrival.feed, "m/s") + ")";
+  }
+  worst.remedy += ", or move or turn the part";
   return worst;
 }
 

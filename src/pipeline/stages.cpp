@@ -9,6 +9,7 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/motion/trajectory.h"
+#include "scan_to_path/pipeline/lowered_feeds.h"
 #include "scan_to_path/pipeline/unseen_share.h"
 #include "scan_to_path/scan/cloud_io.h"
 #include "scan_to_path/verification/playback.h"
@@ -232,6 +233,9 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
     if (const auto note = worstPlaceNote(stage.accuracy, name, planned.path, at)) stage.notes.push_back(*note);
   }
   noteRowOrder(options.path, stage);
+  const LoweredFeeds lowered = loweredFeeds(planned.path, stage.plan.feeds);
+  stage.accuracy.insert(stage.accuracy.end(), lowered.accuracy.begin(), lowered.accuracy.end());
+  if (lowered.note) stage.notes.push_back(*lowered.note);
   if (!stage.plan.trajectory.points.empty()) {
     stage.accuracy.push_back({"duration", stage.plan.trajectory.points.back().time, "s"});
   }

@@ -69,11 +69,22 @@ void checkJoints(const ProgramInput& input, const JointVector& q, const std::str
   if (!q.allFinite()) throw InputError(where, "joint angle", "not finite", "finite");
 }
 
-void checkFeed(const ProgramInput& input, double feed, const std::string& where) {
+void checkFeedCount(const ProgramInput& input) {
+  const std::size_t feeds = input.plan.feeds.size(), waypoints = toolpath::waypointCount(input.path);
+  if (feeds == waypoints) return;
+  throw InputError("motion plan", "number of feeds", std::to_string(feeds),
+                   "one for each of " + std::to_string(waypoints) + " waypoints");
+}
+
+/// `asked`: the path's feed, which the motion may lower but not raise.
+void checkFeed(const ProgramInput& input, double feed, double asked, const std::string& where) {
   // Speeds are written to 1e-6 m/s; anything slower would read as a standstill.
   if (!(feed >= 1e-6 && feed <= input.options.max_speed)) {
     throw InputError(where, "feed", std::isfinite(feed) ? fixed(feed, 6) + " m/s" : "not finite",
                      "in [0.000001, " + fixed(input.options.max_speed, 3) + "] m/s (program.max_speed)");
+  }
+  if (!(feed <= asked)) {
+    throw InputError(where, "feed", fixed(feed, 6) + " m/s", "at most the path's " + fixed(asked, 6) + " m/s");
   }
 }
 
@@ -117,6 +128,7 @@ std::vector<PlannedMove> plannedMoves(const ProgramInput& input) {
   checkFrame(input.T_tip_tcp, "tool mount");
   checkFrame(input.T_base_workobject, "work object");
   checkLift(input);
+  checkFeedCount(input);
   const JointTable joints(input);
   const Frame T_workobject_path = input.T_base_workobject.inverse() * input.T_base_path;
   std::vector<PlannedMove> moves;
@@ -131,12 +143,13 @@ std::vector<PlannedMove> plannedMoves(const ProgramInput& input) {
       if (q == nullptr) throw InputError(where, "joint solution", "missing", "there");
       checkJoints(input, *q, where);
       const bool first = moves.empty();
-      if (!first) checkFeed(input, waypoints[i].feed, where);
+      const double feed = input.plan.feeds[moves.size()];
+      if (!first) checkFeed(input, feed, waypoints[i].feed, where);
       if (first && waypoints[i].process_on) {
         throw InputError(where, "process", "on", "off at the path's first waypoint, which an axis move reaches");
       }
       moves.push_back({s, i, T_workobject_path * waypoints[i].pose * input.path.T_contact_tcp, *q,
-                       first ? input.options.start_speed : waypoints[i].feed, process_on && !first, 0.0});
+                       first ? input.options.start_speed : feed, process_on && !first, 0.0});
     }
   }
   if (moves.empty()) throw InputError("robot program: the path has no waypoint");

@@ -14,7 +14,7 @@ struct PlannedMove {
   int index = 0;
   Frame T_workobject_tcp = Frame::Identity();
   JointVector q;                               ///< [rad]
-  double feed = 0.0;                           ///< [m/s]; of the first move start_speed
+  double feed = 0.0;                           ///< as the motion drives it [m/s]; of the first move start_speed
   bool process_on = false;                     ///< what works runs while the tool moves here
   double zone = 0.0;                           ///< [m]; 0: stop
 };

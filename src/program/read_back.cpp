@@ -79,6 +79,11 @@ public:
     for (const auto& at : expected) {
       if (at.q == nullptr) return {{at.segment, at.index, "the plan has no joint angles for it"}};
     }
+    if (input_.plan.feeds.size() != expected.size()) {
+      return {{-1, -1,
+               "the plan has " + std::to_string(input_.plan.feeds.size()) + " feeds for " +
+                   std::to_string(expected.size()) + " waypoints"}};
+    }
     const auto& moves = program_.moves;
     if (moves.size() != expected.size() + 1) {
       report(nullptr, "program has " + std::to_string(moves.size()) + " moves, the plan needs " +
@@ -90,7 +95,8 @@ public:
     const std::size_t count = std::min(moves.size() - 1, expected.size());
     for (std::size_t i = 0; i < count && found_.size() < limit_; ++i) {
       checkTarget(moves[i + 1], expected[i]);
-      checkFeed(moves[i + 1], expected[i], i == 0);
+      checkFeed(moves[i + 1], expected[i], i == 0 ? input_.options.start_speed : input_.plan.feeds[i]);
+      if (i > 0) checkFeedAsked(moves[i + 1], expected[i]);
       checkProcess(moves[i + 1], expected[i]);
       if (i == 0 || !expected[i - 1].process_on) checkProcessDelay(moves[i + 1], expected[i]);
       checkAxes(moves[i + 1], expected[i]);
@@ -125,8 +131,7 @@ private:
     }
   }
 
-  void checkFeed(const RapidMove& move, const Expected& at, bool first) {
-    const double planned = first ? input_.options.start_speed : at.waypoint->feed;
+  void checkFeed(const RapidMove& move, const Expected& at, double planned) {
     if (!(std::abs(move.speed - planned) <= feed_limit)) {
       report(&at, "feed is " + fixed(move.speed, 6) + " m/s, planned " + fixed(planned, 6) + " m/s", &move);
     }
@@ -136,6 +141,15 @@ private:
                  fixed(input_.options.orientation_speed, 4) + " rad/s",
              &move);
     }
+  }
+
+  /// The motion may lower a feed, but never raise it.
+  void checkFeedAsked(const RapidMove& move, const Expected& at) {
+    if (move.speed <= at.waypoint->feed + feed_limit) return;
+    report(&at,
+           "feed is " + fixed(move.speed, 6) + " m/s, the path asks for " + fixed(at.waypoint->feed, 6) +
+               " m/s at most",
+           &move);
   }
 
   void checkProcess(const RapidMove& move, const Expected& at) {

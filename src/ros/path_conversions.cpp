@@ -55,6 +55,18 @@ void checkSizes(const core::MotionPlan& msg) {
                    " joints do not fit together");
 }
 
+void checkFeeds(const core::MotionPlan& msg) {
+  if (msg.feeds.size() != msg.verdicts.size()) {
+    throw InputError("motion plan: " + std::to_string(msg.feeds.size()) + " feeds of " +
+                     std::to_string(msg.verdicts.size()) + " waypoints, must be as many");
+  }
+  for (std::size_t i = 0; i < msg.feeds.size(); ++i) {
+    if (std::isfinite(msg.feeds[i]) && msg.feeds[i] >= 0.0) continue;
+    throw InputError("motion plan: feed " + std::to_string(i) + " is " + std::to_string(msg.feeds[i]) +
+                     " m/s, must be finite and 0 or more");
+  }
+}
+
 std::vector<core::WaypointVerdict> toVerdicts(const std::vector<core::toolpath::WaypointVerdict>& verdicts) {
   return converted<core::WaypointVerdict>(verdicts, [](const auto& verdict) { return toMsg(verdict); });
 }
@@ -155,6 +167,7 @@ core::MotionPlan toMsg(const core::pipeline::MotionStage& stage, const std_msgs:
     msg.positions.insert(msg.positions.end(), point.q.data(), point.q.data() + point.q.size());
   }
   msg.verdicts = toVerdicts(stage.verdicts);
+  msg.feeds = stage.plan.feeds;
   msg.max_chord_error = stage.plan.max_chord_error;
   msg.report = toMsg(stage.report, stage.accuracy, stage.notes, header);
   return msg;
@@ -162,6 +175,7 @@ core::MotionPlan toMsg(const core::pipeline::MotionStage& stage, const std_msgs:
 
 core::pipeline::MotionStage fromMsg(const core::MotionPlan& msg) {
   checkSizes(msg);
+  checkFeeds(msg);
   core::pipeline::MotionStage stage;
   core::motion::Trajectory& trajectory = stage.plan.trajectory;
   trajectory.joint_names = msg.joint_names;
@@ -179,6 +193,7 @@ core::pipeline::MotionStage fromMsg(const core::MotionPlan& msg) {
   }
   stage.verdicts = fromVerdicts(msg.verdicts);
   stage.plan.verdicts = stage.verdicts;
+  stage.plan.feeds = msg.feeds;
   stage.plan.max_chord_error = msg.max_chord_error;
   stage.report = stageReport(msg.report);
   stage.accuracy = accuracy(msg.report);

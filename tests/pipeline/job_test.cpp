@@ -150,6 +150,32 @@ TEST_F(JobTest, FailingWaypointsLeaveNothingThatARobotCouldRun) {
   EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("limit")));
 }
 
+TEST_F(JobTest, ALoweredFeedIsTheProgramsAndNotThePaths) {
+  JobOptions options;
+  options.path.feed = 0.04;
+  auto plain = request("plain");
+  ASSERT_EQ(runJob(plain, options, {}).exit, 0);
+  options.motion.speed_fraction = 0.03;
+  auto job = request("slower");
+  const JobResult result = runJob(job, options, {});
+  EXPECT_EQ(result.exit, 0) << ::testing::PrintToString(result.summary);
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr("feed lowered at ")));
+  EXPECT_EQ(file(job, "path.csv"), file(plain, "path.csv"));
+  EXPECT_NE(file(job, "program.mod"), file(plain, "program.mod"));
+  const auto report = nlohmann::json::parse(file(job, "report.json"));
+  const auto before = nlohmann::json::parse(file(plain, "report.json"));
+  EXPECT_GT(report["accuracy"]["feed_lowered"]["value"].get<double>(), 0.0);
+  EXPECT_LT(report["accuracy"]["feed_least"]["value"].get<double>(), 0.04);
+  EXPECT_GT(report["accuracy"]["duration"]["value"], before["accuracy"]["duration"]["value"]);
+  EXPECT_EQ(before["accuracy"]["feed_lowered"]["value"], 0);
+  EXPECT_FALSE(before["accuracy"].contains("feed_least"));
+  options.motion.least_feed_share = 1.0;
+  const JobResult strict = runJob(job, options, {});
+  EXPECT_EQ(strict.exit, 1);
+  EXPECT_THAT(strict.summary, ::testing::Contains(HasSubstr(" waypoints: speed")));
+  EXPECT_FALSE(files(job).count("program.mod"));
+}
+
 TEST_F(JobTest, AnAirRunsFilesAreAllLiftedAndMustBeReachable) {
   JobOptions options;
   options.program.dry_offset = 0.05;

@@ -61,6 +61,15 @@ TEST(PlannedMoves, FirstMoveHasTheStartSpeed) {
   EXPECT_EQ(plannedMoves(input)[1].feed, 0.02);
 }
 
+TEST(PlannedMoves, TheFeedIsTheOneThatTheMotionDrives) {
+  auto input = corner(true);
+  input.plan.feeds[3] = 0.013;
+  const auto moves = plannedMoves(input);
+  EXPECT_EQ(moves[2].feed, 0.02);
+  EXPECT_EQ(moves[3].feed, 0.013);
+  EXPECT_EQ(moves[4].feed, 0.02);
+}
+
 TEST(PlannedMoves, AnAirRunsPathIsLiftedByItsOffset) {
   auto input = corner(false);
   input.options.dry_offset = 0.03;

@@ -40,6 +40,7 @@ inline void addWaypoint(program::ProgramInput& input, const robot::JointVector& 
   const int index = static_cast<int>(waypoints.size()) - 1;
   input.plan.trajectory.points.push_back({0.0, segment, index, q});
   input.plan.verdicts.push_back({segment, index, toolpath::Verdict::ok, 0.1, "rad", "", ""});
+  input.plan.feeds.push_back(feed);
 }
 
 /// Rows of smooth joint motion near q0, each with an approach before and a retract after it; frames all different

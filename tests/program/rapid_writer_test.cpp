@@ -48,7 +48,7 @@ TEST(RapidWriter, SameInputSameBytes) {
 TEST(RapidWriter, WritesMillimetresAndScalarFirstQuaternions) {
   auto input = plainInput();
   input.path.segments[0].waypoints.clear();
-  input.plan.trajectory.points.clear();
+  input.plan = {};
   test::addWaypoint(input, test::joints({0, 0, 0, 0, 0, 0}), 0.02, false);
   EXPECT_THAT(mainModule(input), HasSubstr("MoveL [[940.0000,0.0000,1455.0000],\n"
                                            "      [0.70710678,0.00000000,0.70710678,0.00000000],[0,0,0,0],"));
@@ -241,16 +241,20 @@ TEST(RapidWriter, RefusesWhatIsNoProgram) {
       {"waypoint 2: coordinate", [](auto& i) { i.path.segments[0].waypoints[2].pose.translation().x() = 850.0; }},
       {"waypoint 1: joint angle is not finite", [inf](auto& i) { i.plan.trajectory.points[1].q[3] = inf; }},
       {"waypoint 1: number of joint angles is 5", [](auto& i) { i.plan.trajectory.points[1].q.conservativeResize(5); }},
-      {"waypoint 3: feed is 0.000000 m/s", [](auto& i) { i.path.segments[0].waypoints[3].feed = 0.0; }},
-      {"waypoint 3: feed is not finite", [nan](auto& i) { i.path.segments[0].waypoints[3].feed = nan; }},
-      {"waypoint 3: feed is 20.000000 m/s", [](auto& i) { i.path.segments[0].waypoints[3].feed = 20.0; }},
+      {"waypoint 3: feed is 0.000000 m/s", [](auto& i) { i.plan.feeds[3] = 0.0; }},
+      {"waypoint 3: feed is not finite", [nan](auto& i) { i.plan.feeds[3] = nan; }},
+      {"waypoint 3: feed is 20.000000 m/s", [](auto& i) { i.plan.feeds[3] = 20.0; }},
+      {"waypoint 3: feed is 0.020000 m/s, must be at most the path's 0.019999 m/s",
+       [](auto& i) { i.path.segments[0].waypoints[3].feed = 0.019999; }},
+      {"waypoint 3: feed is 0.020000 m/s", [nan](auto& i) { i.path.segments[0].waypoints[3].feed = nan; }},
+      {"number of feeds is 3, must be one for each of 4 waypoints", [](auto& i) { i.plan.feeds.pop_back(); }},
       {"waypoint 0: process is on", [](auto& i) { i.path.segments[0].waypoints[0].process_on = true; }},
       {"the path has no such waypoint", [](auto& i) { i.plan.trajectory.points[1].index = 4; }},
       {"tool mount: pose is not finite", [nan](auto& i) { i.T_tip_tcp.translation().x() = nan; }},
       {"work object: pose is not finite", [nan](auto& i) { i.T_base_workobject.linear()(0, 0) = nan; }},
       {"program.tool_mass", [](auto& i) { i.options.tool_mass = -1.0; }},
       {"must be 6", [](auto& i) { i.robot.joints.pop_back(); }},
-      {"has no waypoint", [](auto& i) { i.path.segments.clear(), i.plan.trajectory.points.clear(); }},
+      {"has no waypoint", [](auto& i) { i.path.segments.clear(), i.plan = {}; }},
   };
   for (const auto& [message, spoil] : cases) {
     auto input = plainInput();

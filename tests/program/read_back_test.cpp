@@ -149,7 +149,26 @@ TEST(ReadBack, NoticesAnotherPlan) {
   other = input;
   other.path.segments.back().waypoints.pop_back();
   other.plan.trajectory.points.pop_back();
+  other.plan.feeds.pop_back();
   expectFound("a waypoint less", other, "moves, the plan needs");
+}
+
+TEST(ReadBack, FeedsAreThePlansAndNeverAboveThePaths) {
+  auto input = seededInput(3);
+  const auto asked = written(input);
+  auto& feeds = input.plan.feeds;
+  for (std::size_t i = 10; i < 30; ++i) feeds[i] = 0.0123;
+  const auto lowered = written(input);
+  EXPECT_EQ(textsOf(input, lowered), "");
+  EXPECT_THAT(textsOf(input, asked), HasSubstr("feed is 0.030000 m/s, planned 0.012300 m/s"));
+  // The twins: a plan that is lowered elsewhere, one that goes faster than the path, one that lacks a feed.
+  std::swap(feeds[9], feeds[10]);
+  EXPECT_THAT(textsOf(input, lowered), HasSubstr("feed is 0.012300 m/s, planned 0.030000 m/s"));
+  std::swap(feeds[9], feeds[10]);
+  for (auto& waypoint : input.path.segments[1].waypoints) waypoint.feed = std::min(waypoint.feed, 0.0122);
+  EXPECT_THAT(textsOf(input, lowered), HasSubstr("feed is 0.012300 m/s, the path asks for 0.012200 m/s at most"));
+  feeds.pop_back();
+  EXPECT_THAT(textsOf(input, lowered), HasSubstr("feeds for 138 waypoints"));
 }
 
 // Joint angles that do not belong to the pose: the writer cannot know, forward kinematics of what was read can.

@@ -210,6 +210,8 @@ TEST(Conversions, PlannedPathIsTheSameToTheLastBit) {
 TEST(Conversions, MotionPlanIsTheSameToTheLastBit) {
   pipeline::MotionStage motion = stages().motion;
   motion.verdicts.front() = anyVerdict();
+  ASSERT_EQ(motion.plan.feeds.size(), motion.verdicts.size());
+  motion.plan.feeds[7] *= 1.0 / 3.0;  // as where a joint would be too fast
   const auto back = fromMsg(sent(toMsg(motion, header())));
   EXPECT_EQ(back.plan.trajectory.joint_names, motion.plan.trajectory.joint_names);
   ASSERT_EQ(back.plan.trajectory.points.size(), motion.plan.trajectory.points.size());
@@ -222,6 +224,7 @@ TEST(Conversions, MotionPlanIsTheSameToTheLastBit) {
     ASSERT_TRUE(sameBits(a.q, b.q)) << i;
   }
   expectSame(back.verdicts, motion.verdicts);
+  EXPECT_EQ(back.plan.feeds, motion.plan.feeds);
   EXPECT_EQ(back.plan.max_chord_error, motion.plan.max_chord_error);
   expectSame(back.report, motion.report);
   expectSame(back.accuracy, motion.accuracy);
@@ -306,6 +309,13 @@ TEST(Conversions, RefusesPathsAndMotionsThatDoNotFitTogether) {
   motion = toMsg(stages().motion, header());
   motion.positions[7] = nan;
   expectInputError([&] { fromMsg(motion); }, "point 1 is not finite");
+  motion = toMsg(stages().motion, header());
+  motion.feeds[3] = nan;
+  expectInputError([&] { fromMsg(motion); }, "feed 3 is nan m/s");
+  motion.feeds[3] = -0.1;
+  expectInputError([&] { fromMsg(motion); }, "feed 3 is -0.1");
+  motion.feeds.pop_back();
+  expectInputError([&] { fromMsg(motion); }, "must be as many");
   core::WaypointVerdict verdict = toMsg(anyVerdict());
   verdict.verdict = 8;
   expectInputError([&] { fromMsg(verdict); }, "is 8, which is none");

@@ -33,6 +33,7 @@ struct Trajectory {
 struct MotionPlan {
   Trajectory trajectory;                  ///< in order; waypoints without a solution are missing
   std::vector<WaypointVerdict> verdicts;  ///< one per waypoint of the path, in order
+  std::vector<double> feeds;              ///< driven on the move to each waypoint, in order: the path's or less [m/s]
   double max_chord_error = 0.0;           ///< joint-interpolated moves against straight lines between waypoints [m]
 };
 

@@ -16,6 +16,7 @@ struct MotionOptions {
   double joint_limit_margin = 0.0;
   double singular_limit = 0.02;
   double speed_fraction = 0.9;
+  double least_feed_share = 0.25;
   double acceleration = 1.0;
   int candidate_waypoints = 500;
 
@@ -31,6 +32,10 @@ struct MotionOptions {
           Field{"singular_limit", "",
                 "least allowed singular value of the Jacobian, its linear rows divided by the arm's length", 0.0, 1.0});
     visit(self.speed_fraction, Field{"speed_fraction", "", "usable fraction of the joint speed limits", 0.01, 1.0});
+    visit(self.least_feed_share,
+          Field{"least_feed_share", "",
+                "share of the feed down to which it is lowered where a joint would be too fast; 1: the waypoint fails",
+                0.0, 1.0});
     visit(self.acceleration,
           Field{"acceleration", "m/s^2", "of the tool centre point along the path, in the timing", 0.01, 100.0});
     visit(self.candidate_waypoints,
@@ -51,8 +56,10 @@ Frame tipPose(const Frame& T_base_contact, const Frame& T_contact_tcp, const Fra
 /// axis that the path gives it. Moves between neighbouring waypoints get intermediate points until joint-interpolated
 /// motion stays within chord_tolerance of the straight line. Times as in timing.h.
 ///
-/// Limits of joints and of the robot's coupled axis are looked at alike. Verdicts: unreachable, joint_limit, singular, jump and speed (moves with the process on; others are only slowed
-/// down), the first of them in this order. A waypoint that is ok has the margin that is smallest relative to its limit.
+/// Limits of joints and of the robot's coupled axis are looked at alike. Where a joint would be too fast the feed is
+/// lowered (driven_feed.h). Verdicts: unreachable, joint_limit, singular, jump and speed (moves with the process on that
+/// would have to be slower still; others just take longer), the first of them in this order. A waypoint that is ok has
+/// the margin that is smallest relative to its limit.
 ///
 /// Poses are in the robot's base: throws InputError when path.frame is another one, when the path is empty, and for a
 /// pose or a feed that is not finite or a feed that is not positive. Throws Interrupted.

@@ -12,7 +12,7 @@ struct Arrival {
   JointVector nearest_limit;  ///< the point between that comes nearest to a joint limit; empty without any
   JointVector step;           ///< between neighbouring points [rad]
   JointVector rate;           ///< per way of the tool centre point [rad/m]
-  double feed = 0.0;          ///< asked for [m/s]
+  double feed = 0.0;          ///< that it is driven at [m/s]
   bool process_on = false;    ///< whether that feed matters
 };
 
