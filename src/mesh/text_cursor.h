@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/quote.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::mesh {
@@ -34,14 +35,6 @@ inline std::string_view takeWord(std::string_view& line) {
   const std::string_view word = line.substr(0, length);
   line.remove_prefix(length);
   return word;
-}
-
-/// What a message quotes of a file's text: printable and short, so that it stays one line.
-inline std::string inQuotes(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string quote = "'";
-  for (const char c : text.substr(0, longest)) quote += c >= ' ' && c <= '~' ? c : '?';
-  return quote + (text.size() > longest ? "...'" : "'");
 }
 
 /// Takes a number off `line`. Throws InputError naming `where()` and `quantity` when there is none.

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/quote.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::motion {
@@ -33,7 +34,7 @@ std::string format(const Trajectory& trajectory, const AppendJoints& append_join
 double number(std::string_view cell, const std::string& where, const std::string& quantity) {
   double value = 0.0;
   if (!parseNumber(trimmed(cell), value) || !std::isfinite(value)) {
-    throw InputError(where, quantity, "'" + std::string(trimmed(cell)) + "'", "a finite number");
+    throw InputError(where, quantity, inQuotes(trimmed(cell)), "a finite number");
   }
   return value;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/quote.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::pipeline {
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 Frame mounted(const MountOptions& mount, const std::string& name, const std::string& parent) {
   if (mount.parent != parent) {
-    throw InputError("cell." + name, "parent", "'" + mount.parent + "'", "'" + parent + "'");
+    throw InputError("cell." + name, "parent", inQuotes(mount.parent), "'" + parent + "'");
   }
   return geometry::makeFrame(mount.xyz, mount.rpy);
 }

@@ -11,10 +11,14 @@
 #include <set>
 
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/quote.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::pipeline {
 namespace {
+
+constexpr std::size_t longest_key = 80;  // that a message shows
+constexpr std::size_t longest_yaml_message = 200;
 
 std::string at(const std::string& source, const YAML::Node& node) {
   const int line = node.Mark().line;
@@ -22,7 +26,7 @@ std::string at(const std::string& source, const YAML::Node& node) {
 }
 
 std::string shown(const YAML::Node& node) {
-  if (node.IsScalar()) return "'" + node.Scalar() + "'";
+  if (node.IsScalar()) return inQuotes(node.Scalar());
   if (node.IsSequence()) return "a list of " + std::to_string(node.size());
   return node.IsMap() ? "a section" : "empty";
 }
@@ -122,7 +126,8 @@ bool isSection(const std::vector<FieldReference>& fields, const std::string& pat
     }
   }
   const std::vector<std::string> names(known.begin(), known.end());
-  throw InputError(where + ": unknown key " + path + ", did you mean " + nearestWord(path, names) + "?");
+  const std::string nearest = nearestWord(std::string_view(path).substr(0, longest_key), names);
+  throw InputError(where + ": unknown key " + escaped(path, longest_key) + ", did you mean " + nearest + "?");
 }
 
 void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node, const std::string& prefix,
@@ -132,7 +137,7 @@ void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node
     if (!entry.first.IsScalar()) throw InputError(at(source, entry.first) + ": a key must be a text");
     const std::string path = prefix + entry.first.Scalar();
     const std::string where = at(source, entry.first);
-    if (!seen.insert(path).second) throw InputError(where + ": key " + path + " stands twice");
+    if (!seen.insert(path).second) throw InputError(where + ": key " + escaped(path, longest_key) + " stands twice");
     if (const FieldReference* field = find(fields, path)) {
       std::visit(Assign(*field, entry.second, source), field->value);
       set.insert(path);
@@ -146,11 +151,29 @@ void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node
   }
 }
 
+/// Of several documents only the first would count, which their writer cannot have meant. (YAML::LoadAll does not end
+/// on some broken texts.)
+void checkThatDocumentIsOne(const std::string& text, const std::string& source) {
+  bool has_begun = false;
+  int number = 0;
+  for (const auto line : split(text, '\n')) {
+    ++number;
+    const bool begins = line.substr(0, 3) == "---" && trimmed(line.substr(0, 4)).size() == 3;
+    if (begins && has_begun) {
+      throw InputError(source + " line " + std::to_string(number) + ": begins another document, must be one");
+    }
+    const auto content = trimmed(line);
+    has_begun = has_begun || begins || (!content.empty() && content.front() != '#' && content.front() != '%');
+  }
+}
+
 YAML::Node parse(const std::string& text, const std::string& source) {
+  checkThatDocumentIsOne(text, source);
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw InputError(source + " line " + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
+    throw InputError(source + " line " + std::to_string(error.mark.line + 1) + ": not YAML: " +
+                     escaped(error.msg, longest_yaml_message));
   }
 }
 
@@ -218,6 +241,15 @@ std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const
   if (root.IsNull()) return set;
   if (!root.IsMap()) throw InputError(source + ": a configuration is sections of keys, this is " + shown(root));
   applyNode(fields, root, "", source, set);
+  return set;
+}
+
+std::set<std::string> applyYamlFile(const std::vector<FieldReference>& fields, const std::filesystem::path& file) {
+  std::set<std::string> set = applyYaml(fields, readFile(file), file.string());
+  if (set.empty()) {
+    throw InputError(file.string() + ": sets nothing; a configuration is sections of keys (see --print-config), and "
+                     "where the defaults are to hold there is none");
+  }
   return set;
 }
 

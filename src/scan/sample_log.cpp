@@ -10,19 +10,13 @@
 
 #include "decimal.h"
 #include "scan_to_path/common/error.h"
+#include "scan_to_path/common/quote.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::scan {
 namespace {
 
 constexpr std::string_view magic = "# scan_to_path samples 1";
-
-/// What a message quotes of a file: short and printable.
-std::string inQuotes(std::string_view text) {
-  std::string quote = "'";
-  for (const char c : text.substr(0, 40)) quote += c >= ' ' && c <= '~' ? c : '?';
-  return quote + (text.size() > 40 ? "...'" : "'");
-}
 
 /// Reads a log line by line; one pass over the text, no copies of it.
 class LogParser {

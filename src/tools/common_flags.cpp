@@ -65,7 +65,7 @@ pipeline::JobOptions CommonFlags::options(std::set<std::string>* given) const {
   pipeline::JobOptions options;
   const auto fields = pipeline::fieldReferences(options);
   std::set<std::string> set;
-  if (!config.empty()) set = pipeline::applyYaml(fields, readFile(config), config);
+  if (!config.empty()) set = pipeline::applyYamlFile(fields, config);
   for (const auto& assignment : assignments) set.insert(pipeline::applyAssignment(fields, assignment));
   if (given != nullptr) *given = set;
   if (!robot.empty()) options.cell.robot = robot;

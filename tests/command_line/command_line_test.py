@@ -269,6 +269,22 @@ class CommandLine(unittest.TestCase):
         config.write_text("path:\n  lead: [1\n")
         self.assert_refused(self.plan("--config", config), "bad.yaml line", "not YAML")
 
+    def test_broken_configurations_give_one_printable_line(self):
+        config = self.root / "broken.yaml"
+        cases = {b"": "sets nothing", b"\xff\xfe\0": "sets nothing", b"# lead: 1\n": "sets nothing",
+                 b"lead\n": "a configuration is sections of keys", b"- lead\n": "a list of 1",
+                 b"path: {lead: 1}\npath: {tilt: 1}\n": "line 2: key path stands twice",
+                 b"path: {lead: 0.1}\n---\npath: {lead: 0.2}\n": "another document",
+                 b"path: {lead: \"\\e[2J\"}\n": "path.lead is '\\x1b[2J'", self.log.read_bytes(): "broken.yaml",
+                 bytes(range(256)): "broken.yaml", pathlib.Path(EXECUTABLE).read_bytes(): "broken.yaml"}
+        for content, message in cases.items():
+            with self.subTest(begin=content[:30]):
+                config.write_bytes(content)
+                done = self.plan("--config", config)
+                self.assert_refused(done, "broken.yaml", message)
+                self.assertTrue(done.stderr.rstrip("\n").isprintable() and done.stderr.isascii(), done.stderr[:200])
+                self.assertLess(len(done.stderr), 400)
+
     def test_relief_beyond_the_range_is_said(self):
         done = run("emulate", *SMALL, "--set", "emulate.raster.height=0.115", "--no-table", "--out", self.root / "far.csv")
         self.assertEqual(done.returncode, 0, done.stderr)

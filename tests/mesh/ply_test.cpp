@@ -110,7 +110,7 @@ TEST(Ply, FindsElementsAndProperties) {
 
 TEST(Ply, RefusesMalformedHeaders) {
   const auto parse = [](const char* text) { return [text] { parsePlyHeader(text, "f.ply"); }; };
-  expectInputError(parse("plyx\n"), "f.ply line 1: first line is 'plyx?', must be ply");
+  expectInputError(parse("plyx\n"), "f.ply line 1: first line is 'plyx\\x0a', must be ply");
   expectInputError(parse("ply\nformat ascii 1.0\n"), "no end_header");
   expectInputError(parse("ply\nend_header\n"), "no format line");
   expectInputError(parse("ply\nformat binary 1.0\n"), "f.ply line 2: format is 'binary'");

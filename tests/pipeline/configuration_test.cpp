@@ -4,7 +4,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 
 #include "scan_to_path/common/random.h"
 
@@ -134,6 +137,63 @@ TEST(Configuration, RejectsWrongTypes) {
   EXPECT_EQ(yamlError("count: 1\ncount: 2"), "cell.yaml line 2: key count stands twice");
   EXPECT_THAT(yamlError("- a\n- b"), HasSubstr("a configuration is sections of keys"));
   EXPECT_THAT(yamlError("count: [1, 2"), HasSubstr("not YAML"));
+}
+
+// A broken file must neither reach the terminal with its bytes nor fill it.
+TEST(Configuration, BytesOfAFileAreEscaped) {
+  EXPECT_THAT(yamlError("\x1b[2J: 1"), HasSubstr("cell.yaml line 1: unknown key \\x1b[2J, did you mean "));
+  EXPECT_THAT(yamlError("count: \"\\e[31m\""), HasSubstr("count is '\\x1b[31m', must be a number"));
+  EXPECT_THAT(yamlError("\"co\\0unt\": 1"), HasSubstr("unknown key co\\x00unt, did you mean count?"));
+  EXPECT_THAT(yamlError("\"\\a\": 1\n\"\\a\": 2"), HasSubstr("\\x07"));
+  const std::string long_key(100000, 'k');
+  EXPECT_LT(yamlError(long_key + ": 1").size(), 200U);
+  EXPECT_LT(yamlError("count: " + long_key).size(), 200U);
+  EXPECT_LT(yamlError(long_key).size(), 200U);
+}
+
+// Random bytes, some of them after a good beginning: one short line that every terminal can show.
+TEST(Configuration, GarbageGivesOnePrintableLine) {
+  Random random(5);
+  int refused = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = round % 2 == 0 ? "" : "count: 3\ninner:\n  length: ";
+    for (int i = 0; i < 1 + round % 60; ++i) text += static_cast<char>(random.bits());
+    const std::string error = yamlError(text);
+    refused += error == "no error" ? 0 : 1;
+    ASSERT_LT(error.size(), 600U);
+    ASSERT_TRUE(std::all_of(error.begin(), error.end(), [](char c) { return c >= ' ' && c <= '~'; })) << round;
+  }
+  EXPECT_GT(refused, 1500);
+}
+
+TEST(Configuration, OneDocumentOnly) {
+  EXPECT_EQ(yamlError("count: 4\n---\non: true\n"), "cell.yaml line 2: begins another document, must be one");
+  EXPECT_EQ(yamlError("---\n--- # again\ncount: 4\n"), "cell.yaml line 2: begins another document, must be one");
+  EXPECT_EQ(yamlError("# ours\n%YAML 1.2\n---\ncount: 4\nname: a---b\nwords:\n- --- x\n"), "no error");
+}
+
+TEST(Configuration, KeysThatStandTwiceAreNamedInEverySection) {
+  EXPECT_EQ(yamlError("inner: {length: 1}\ncount: 1\ninner: {length: 2}"), "cell.yaml line 3: key inner stands twice");
+  EXPECT_EQ(yamlError("inner:\n  length: 1\n  length: 1\n"), "cell.yaml line 3: key inner.length stands twice");
+}
+
+TEST(Configuration, AFileThatSetsNothingIsRefused) {
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "sets_nothing.yaml";
+  Outer outer;
+  const auto fields = fieldReferences(outer);
+  const auto error = [&](const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+    return errorOf([&] { applyYamlFile(fields, file); });
+  };
+  for (const std::string text : {"", "\n \n", "# count: 3\n", "inner:\n", "{}", "~", "\xff\xfe"}) {
+    EXPECT_THAT(error(text), HasSubstr("sets_nothing.yaml: sets nothing")) << text;
+  }
+  EXPECT_THAT(error("7"), HasSubstr("sets_nothing.yaml: a configuration is sections of keys, this is '7'"));
+  EXPECT_THAT(error("[a, b]"), HasSubstr("sets_nothing.yaml: a configuration is sections of keys, this is a list of 2"));
+  EXPECT_EQ(error("count: 4"), "no error");
+  EXPECT_EQ(outer.count, 4);
+  std::filesystem::remove(file);
+  EXPECT_THAT(errorOf([&] { applyYamlFile(fields, file); }), HasSubstr("cannot read"));
 }
 
 TEST(Configuration, AssignmentsSetOneField) {

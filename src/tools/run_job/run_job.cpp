@@ -14,6 +14,8 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/pipeline/configuration.h"
+#include "scan_to_path/pipeline/job_options.h"
 #include "scan_to_path_ros/parameters.h"
 #include "tools/progress_bar.h"
 #include "tools/run_job/play_back.h"
@@ -53,7 +55,11 @@ void addFlags(CLI::App& app, Flags& flags) {
 scan_to_path::RunJobGoal goalFrom(const Flags& flags) {
   scan_to_path::RunJobGoal goal;
   goal.process = flags.process;
-  if (!flags.config.empty()) goal.configuration = scan_to_path::readFile(flags.config);
+  if (!flags.config.empty()) {
+    scan_to_path::pipeline::JobOptions options;
+    scan_to_path::pipeline::applyYamlFile(scan_to_path::pipeline::fieldReferences(options), flags.config);
+    goal.configuration = scan_to_path::readFile(flags.config);
+  }
   goal.out = std::filesystem::absolute(flags.out.empty() ? "out/" + flags.process : flags.out).string();
   goal.review = static_cast<std::uint8_t>(flags.review);
   if (!flags.bag.empty()) goal.bag = std::filesystem::absolute(flags.bag).string();
