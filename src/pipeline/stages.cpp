@@ -9,6 +9,7 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/motion/trajectory.h"
+#include "scan_to_path/pipeline/background_findings.h"
 #include "scan_to_path/pipeline/lowered_feeds.h"
 #include "scan_to_path/pipeline/unseen_share.h"
 #include "scan_to_path/scan/cloud_io.h"
@@ -28,16 +29,6 @@ double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
     if (isLoss(entry.reason)) lost += entry.count;
   }
   return lost + used == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(lost + used);
-}
-
-/// A plate with a pad on it looks like a table with a part on it.
-void noteBackground(FitStage& stage) {
-  const auto background = std::find_if(stage.scan.dropped.begin(), stage.scan.dropped.end(),
-                                       [](const auto& dropped) { return dropped.reason == "background"; });
-  if (background == stage.scan.dropped.end() || 2 * background->count <= stage.scan.samples_in) return;
-  stage.notes.push_back(std::to_string(background->count) + " of " + std::to_string(stage.scan.samples_in) +
-                        " samples were taken for a table behind the part: if it is the part itself, set "
-                        "scan.background.mode=none");
 }
 
 /// What was nearer than the sensor sees may reach as high as the sensor went. A single beam of that kind is an error
@@ -195,7 +186,9 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   stage.accuracy.push_back({"between_rows_largest", scan.between_rows_largest, "m"});
   std::vector<scan::Dropped> dropped = scanned.report.dropped;
   dropped.insert(dropped.end(), scan.dropped.begin(), scan.dropped.end());
-  noteBackground(stage);
+  const BackgroundFindings background = backgroundFindings(stage.scan, rows, scan_options.cloud.background);
+  stage.accuracy.push_back(background.share);
+  stage.notes.insert(stage.notes.end(), background.notes.begin(), background.notes.end());
   stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
   // The filter cuts a row at a gap of max_gap, and of five samples at least.

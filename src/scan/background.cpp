@@ -144,6 +144,44 @@ bool wellSupported(const SampleRows& rows, const BackgroundPlane& plane, const B
   return support >= static_cast<std::size_t>(options.min_samples) && on_rows.size() >= 2;
 }
 
+bool isBackground(const SampleRows& rows, const BackgroundPlane& plane, const BackgroundOptions& options) {
+  return wellSupported(rows, plane, options) && nothingBeyond(rows, plane, options.tolerance) &&
+         surroundsPart(rows, plane, options);
+}
+
+/// Samples all along the scan's border: of the first and the last row, and of both ends of the rows.
+std::vector<Vector3> borderSamples(const SampleRows& rows) {
+  constexpr std::size_t at_end = 20;
+  std::vector<Vector3> samples;
+  for (std::size_t k = 0; k < rows.pieces.size(); ++k) {
+    const RowPiece& piece = rows.pieces[k];
+    const bool is_outer = piece.row == rows.pieces.front().row || piece.row == rows.pieces.back().row;
+    const bool begins = k == 0 || rows.pieces[k - 1].row != piece.row;
+    const bool ends = k + 1 == rows.pieces.size() || rows.pieces[k + 1].row != piece.row;
+    const std::size_t stride = is_outer ? piece.size() / 200 + 1 : 4;
+    for (std::size_t i = 0; i < piece.size(); i += stride) {
+      const bool at_border = is_outer || (begins && i < at_end) || (ends && i + at_end >= piece.size());
+      if (at_border) samples.emplace_back(piece.x[i], piece.y[i], piece.z[i]);
+    }
+  }
+  return samples;
+}
+
+FlushPlane samplesOn(const SampleRows& rows, const BackgroundPlane& plane, double tolerance) {
+  std::size_t count = 0;
+  double sum = 0.0;
+  for (const RowPiece& piece : rows.pieces) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (!onBackground(plane, piece, i, tolerance)) continue;
+      ++count;
+      sum += piece.z[i];
+    }
+  }
+  const double height = sum / static_cast<double>(std::max<std::size_t>(count, 1));
+  return {static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(sampleCount(rows), 1)),
+          height + rows.T_cloud_scan.translation().dot(rows.T_cloud_scan.linear().col(2))};
+}
+
 /// The user's height in the cloud's frame, as a plane across the beam of the scan frame.
 BackgroundPlane planeAtHeight(const SampleRows& rows, double height) {
   const Vector3 origin = rows.T_cloud_scan.translation();
@@ -184,11 +222,19 @@ std::optional<BackgroundPlane> findBackground(const SampleRows& rows, const Back
   const std::vector<Vector3> samples = farSideSamples(rows, 4000);
   if (samples.size() < 3) return std::nullopt;
   const auto plane = bestPlane(samples, options.tolerance);
-  if (!plane || !wellSupported(rows, *plane, options) || !nothingBeyond(rows, *plane, options.tolerance) ||
-      !surroundsPart(rows, *plane, options)) {
-    return std::nullopt;
-  }
+  if (!plane || !isBackground(rows, *plane, options)) return std::nullopt;
   return plane;
+}
+
+std::optional<FlushPlane> findFlushPlane(const SampleRows& rows, BackgroundOptions options) {
+  validate(options, "background");
+  if (options.mode != BackgroundMode::automatic) return std::nullopt;
+  options.tolerance *= 0.1;
+  const std::vector<Vector3> samples = borderSamples(rows);
+  if (samples.size() < 3) return std::nullopt;
+  const auto plane = bestPlane(samples, options.tolerance);
+  if (!plane || !isBackground(rows, *plane, options)) return std::nullopt;
+  return samplesOn(rows, *plane, options.tolerance);
 }
 
 SampleRows removeBackground(SampleRows rows, const BackgroundOptions& options) {

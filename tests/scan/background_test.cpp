@@ -128,5 +128,65 @@ TEST(Background, GivenHeightIsAlongTheBeamInTheCloudsFrame) {
   test::expectInputError([&] { backgroundOf(scan, step, options); }, "samples above the background is 0");
 }
 
+/// A spherical cap of 50 mm radius, 10 mm high and 60 mm wide, `raised` over a table at 0.
+test::HeightFunction capOnTable(double raised) {
+  return [raised](double x, double y) -> std::optional<double> {
+    const double square = 0.05 * 0.05 - x * x - y * y;
+    return std::hypot(x, y) < 0.03 ? raised + std::sqrt(square) - 0.04 : 0.0;
+  };
+}
+
+RasterScan capScan() {
+  RasterScan scan = overscan();
+  scan.x_min = -0.05;
+  scan.x_max = 0.05;
+  scan.rows = test::evenRows(-0.042, 0.004, 22);
+  scan.T_cloud_scan = geometry::makeFrame({0.1, 0.2, 0.5}, {0.0, 0.0, 0.3});
+  return scan;
+}
+
+std::optional<FlushPlane> flushPlaneOf(const RasterScan& scan, const test::HeightFunction& height,
+                                       const BackgroundOptions& options = {}) {
+  ScanOptions all;
+  all.background = options;
+  return findFlushPlane(cleanRows(scanRaster(scan, height), -scan.T_cloud_scan.linear().col(2), all), options);
+}
+
+// Of 22 lines of 100 mm the cap's chords at y = +-2, +-6, ... +-26 mm take 694.0 mm: 68.45 % lies beside it, and the
+// lowest 0.1 mm at the chords' ends, slopes of 0.75 down to 0.37, adds 4.8 mm: 0.22 %.
+TEST(FlushPlane, ATableThatAPartLiesFlushOnIsFound) {
+  EXPECT_EQ(backgroundOf(capScan(), capOnTable(0.0)), 0u);
+  const auto flush = flushPlaneOf(capScan(), capOnTable(0.0));
+  ASSERT_TRUE(flush);
+  EXPECT_NEAR(flush->share, 0.6867, 0.002);
+  EXPECT_NEAR(flush->height, 0.5, 1e-5);  // noise of 2 um over 15,000 samples, and the lowest of the cap
+}
+
+// What the user is told to do does it.
+TEST(FlushPlane, ItsHeightTakesItAway) {
+  BackgroundOptions options;
+  options.mode = BackgroundMode::height;
+  options.height = flushPlaneOf(capScan(), capOnTable(0.0))->height;
+  EXPECT_GT(backgroundOf(capScan(), capOnTable(0.0), options), 22u * 1000u * 68u / 100u);
+  EXPECT_FALSE(flushPlaneOf(capScan(), capOnTable(0.0), options)) << "the user has said what the table is";
+  options.mode = BackgroundMode::none;
+  EXPECT_FALSE(flushPlaneOf(capScan(), capOnTable(0.0), options));
+}
+
+TEST(FlushPlane, WhereThereIsAStepTheTableIsGone) {
+  EXPECT_GT(backgroundOf(capScan(), capOnTable(0.003)), 0u);
+  EXPECT_FALSE(flushPlaneOf(capScan(), capOnTable(0.003)));
+  const geometry::SPart part;
+  EXPECT_FALSE(flushPlaneOf(overscan(), onTable(part, -0.024)));
+  EXPECT_FALSE(flushPlaneOf(overscan(), freeStanding(part)));
+}
+
+TEST(FlushPlane, CurvedBordersAreNoPlane) {
+  EXPECT_FALSE(flushPlaneOf(capScan(), [](double x, double y) { return x * x - y * y; }));
+  EXPECT_FALSE(flushPlaneOf(capScan(), [](double x, double y) { return x * x + y * y; })) << "the part is beyond it";
+  const auto roof = flushPlaneOf(capScan(), [](double x, double) { return -2.0 * x * x; });
+  EXPECT_LT(roof ? roof->share : 0.0, 0.02) << "0.1 mm of slopes of 0.2 at both ends of lines of 100 mm";
+}
+
 }  // namespace
 }  // namespace scan_to_path::scan

@@ -49,6 +49,18 @@ struct BackgroundPlane {
 /// A scan without depth jumps has no background. Deterministic (seeded sampling of triples, then least squares).
 std::optional<BackgroundPlane> findBackground(const SampleRows& rows, const BackgroundOptions& options);
 
+/// A plane that a scan ends on without a step from it to the rest: a table with a part lying flush on it, or the part's
+/// own flange. Samples do not tell which.
+struct FlushPlane {
+  double share = 0.0;   ///< of the samples
+  double height = 0.0;  ///< what BackgroundOptions::height would be for it, in the middle of its samples [m]
+};
+
+/// Such a plane in rows that are rid of their background, if there is one: as in findBackground at least min_samples
+/// samples support it, nothing is beyond it and it surrounds the rest, all within a tenth of the tolerance, as what is
+/// curved comes near to a plane at its lowest. Nothing in another mode than automatic: then the user has said it.
+std::optional<FlushPlane> findFlushPlane(const SampleRows& rows, BackgroundOptions options);
+
 /// Drops the samples on the background ("background") and what is left of pieces shorter than min_length
 /// ("short piece"). Throws InputError when nothing is left.
 SampleRows removeBackground(SampleRows rows, const BackgroundOptions& options);
