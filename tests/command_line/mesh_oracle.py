@@ -51,11 +51,15 @@ def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def distance_to_segment(p, a, b):
+def nearest_on_segment(p, a, b):
     along, to = minus(b, a), minus(p, a)
     length = dot(along, along)
     share = min(1.0, max(0.0, dot(to, along) / length)) if length > 0.0 else 0.0
-    return math.dist(p, (a[0] + share * along[0], a[1] + share * along[1], a[2] + share * along[2]))
+    return a[0] + share * along[0], a[1] + share * along[1], a[2] + share * along[2]
+
+
+def distance_to_segment(p, a, b):
+    return math.dist(p, nearest_on_segment(p, a, b))
 
 
 def distance_to_triangle(p, a, b, c):
@@ -158,6 +162,57 @@ class Mesh:
                 z = self.top(x, y)
                 if z is not None:
                     yield x, y, z
+
+
+def section(mesh, y):
+    """The mesh's lines in a plane across the y axis."""
+    for triangle in mesh.triangles:
+        corners = [mesh.vertices[i] for i in triangle]
+        if not min(c[1] for c in corners) < y < max(c[1] for c in corners):
+            continue
+        ends = [tuple(a[k] + (y - a[1]) / (b[1] - a[1]) * (b[k] - a[k]) for k in range(3))
+                for a, b in zip(corners, corners[1:] + corners[:1]) if (a[1] - y) * (b[1] - y) < 0.0]
+        if len(ends) == 2:
+            yield tuple(ends)
+
+
+class SeenRows:
+    """What a scan in rows along x, each at one y, saw of a mesh: its lines over the rows, as far as they face up."""
+
+    SIDE = 0.005  # [m] of the stretches of x that lines are looked up by
+    HIDDEN = 1e-5  # [m] below the mesh's top: rounding is less, an overhang more
+
+    def __init__(self, mesh, rows):
+        self.mesh, self.rows, self.lines = mesh, rows, [{} for _ in rows]
+        for row, y in zip(self.lines, rows):
+            for line in section(mesh, y):
+                low, high = sorted(math.floor(end[0] / self.SIDE) for end in line)
+                for stretch in range(low, high + 1):
+                    row.setdefault(stretch, set()).add(line)
+
+    def is_seen(self, p):
+        top = self.mesh.top(p[0], p[1])
+        return top is not None and top - p[2] <= self.HIDDEN
+
+    def depth(self, centre, radius):
+        """How deep a ball goes in at most [m]; 0 where it does not."""
+        deepest = 0.0
+        low, high = (math.floor((centre[0] + way) / self.SIDE) for way in (-radius, radius))
+        for y, row in zip(self.rows, self.lines):
+            if abs(y - centre[1]) >= radius:
+                continue
+            for line in (line for stretch in range(low, high + 1) for line in row.get(stretch, ())):
+                nearest = nearest_on_segment(centre, *line)
+                depth = radius - math.dist(centre, nearest)
+                if depth > deepest and self.is_seen(nearest):
+                    deepest = depth
+        return deepest
+
+
+def ball_centres(moves, radius, spacing=1e-3):
+    """Where a ball's centre is on the moves, their ends included."""
+    return places([tuple((tuple(p[k] + radius * n[k] for k in range(3)), n) for p, n in move) for move in moves],
+                  spacing)
 
 
 def rotated_z(x, y, z, w):

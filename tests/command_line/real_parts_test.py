@@ -13,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-from mesh_oracle import Mesh, is_inside, places, read_ply, uncut_share, worked_moves
+from mesh_oracle import Mesh, SeenRows, ball_centres, is_inside, places, read_ply, uncut_share, worked_moves
 
 SKIPPED = 77
 EXECUTABLE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
@@ -26,21 +26,32 @@ UNCUT = 1e-3  # [m] left on the mesh; more was not reached by any row. As `refer
 class Part:
     """A part scanned and its path planned with its configuration; everything in the part's own frame."""
 
-    def __init__(self, name, *flags, scale=1.0):
+    def __init__(self, name, *flags, scale=1.0, plan_flags=("--stop-after", "path")):
         file = pathlib.Path(DATA, name + ".ply")
         self.mesh = Mesh(*read_ply(file, scale))
         config = SOURCE / "config" / (name + ".yaml")
         with tempfile.TemporaryDirectory(prefix="scan_to_path_") as directory:
             log, out = pathlib.Path(directory, "samples.csv"), pathlib.Path(directory, "out")
             run("emulate", "--config", config, "--workpiece", file, *flags, "--out", log)
-            run("plan", "--config", config, "--input", log, "--stop-after", "path", "--out", out)
+            run("plan", "--config", config, "--input", log, *plan_flags, "--out", out)
             self.report = json.loads((out / "report.json").read_text())
             text = (out / "path.csv").read_text()
+            self.files = {entry.name for entry in out.iterdir()}
         pose = self.report["config"]["cell"]["workpiece"]
         assert pose["rpy"] == [0.0, 0.0, 0.0], "this oracle knows shifted parts only"
-        self.moves = list(worked_moves(text, pose["xyz"]))
+        self.origin = pose["xyz"]
+        self.moves = list(worked_moves(text, self.origin))
         self.radius = self.report["config"]["path"]["ball_radius"]
         self.reach = 1.5 * self.report["config"]["emulate"]["raster"]["pitch"]  # [m] of a row to both its sides
+
+    def scanned_rows(self):
+        """Where rows lie across: every contact on a scan line does, driven or left out."""
+        driven = [p[1] for p, _ in (end for move in self.moves for end in move)]
+        left_out = [waypoint["y"] - self.origin[1] for waypoint in self.report["left_out"]]
+        rows = {}
+        for y in driven + left_out:
+            rows.setdefault(round(y, 4), []).append(y)
+        return sorted(sum(places) / len(places) for places in rows.values())
 
     def failed_tolerances(self):
         return [name for name, figure in self.report["accuracy"].items() if not figure.get("pass", True)]
@@ -91,6 +102,26 @@ class RealParts(unittest.TestCase):
 
     def test_a_part_scanned_by_a_depth_camera(self):
         self.check(Part("part_scan"), 0.01)
+
+    def test_the_ball_of_a_partial_program_keeps_off_what_was_seen(self):
+        part = Part("part_scan", plan_flags=("--allow-partial",))
+        self.assertIn("program.mod", part.files)
+        self.assertGreater(len(part.report["left_out"]), 1000)
+        pitch = part.report["config"]["emulate"]["raster"]["pitch"]
+        rows = part.scanned_rows()
+        self.assertLess(max(abs(b - a - pitch) for a, b in zip(rows, rows[1:])), 1e-6)
+        seen = SeenRows(part.mesh, rows)
+        # What is no gouge yet, the chords of the ball's centre, and the lines' noise (three sigmas of it).
+        path = part.report["config"]["path"]
+        bound = (path["gouge_tolerance"] + path["chord_tolerance"] +
+                 3.0 * part.report["accuracy"]["line_noise"]["value"])
+        deepest = max(seen.depth(centre, part.radius) for centre in ball_centres(part.moves, part.radius))
+        print(f"{len(part.moves)} worked moves of a partial program, the ball at most {1e6 * deepest:.1f} um in what "
+              f"{len(rows)} rows saw, bound {1e6 * bound:.1f} um")
+        self.assertLessEqual(deepest, bound)
+        # The twin: a check that lets the ball go one gouge_tolerance deeper.
+        lower = shifted(part.moves, -path["gouge_tolerance"])
+        self.assertTrue(any(seen.depth(centre, part.radius) > bound for centre in ball_centres(lower, part.radius)))
 
 
 if __name__ == "__main__":
