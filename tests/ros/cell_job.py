@@ -70,6 +70,19 @@ class CellJob(unittest.TestCase):
             self.assertEqual(ours, (self.from_samples / name).read_bytes(), name + " from the same samples")
             self.assertEqual(ours, (self.from_cloud / name).read_bytes(), name + " from scan.pcd")
 
+    def test_lowered_feeds_are_the_command_lines(self):
+        with tempfile.TemporaryDirectory(prefix="scan_to_path_") as name:
+            directory = pathlib.Path(name)
+            fast = directory / "fast.yaml"
+            fast.write_text(cell.QUICK + "path: {feed: 0.05}\nmotion: {speed_fraction: 0.1}\n")
+            job = cell.Job(directory / "ros", fast.read_text())
+            status, said = job.finish()
+            self.assertEqual(status, 0, said)
+            command("plan", "--config", fast, "--input", job.out / "scan.pcd", "--out", directory / "cloud")
+            self.assertGreater(job.report()["accuracy"]["feed_lowered"]["value"], 1000)
+            for file in (*FILES, "program.mod", "program_2.mod"):
+                self.assertEqual((job.out / file).read_bytes(), (directory / "cloud" / file).read_bytes(), file)
+
     def test_the_path_lies_on_the_true_surface(self):
         figures = json.loads((self.from_cloud / "report.json").read_text())["accuracy"]
         rms, largest = figures["reference_path_rms"]["value"], figures["reference_path_largest"]["value"]
