@@ -160,8 +160,8 @@ std::vector<Vector3> borderSamples(const SampleRows& rows) {
     const bool ends = k + 1 == rows.pieces.size() || rows.pieces[k + 1].row != piece.row;
     const std::size_t stride = is_outer ? piece.size() / 200 + 1 : 4;
     for (std::size_t i = 0; i < piece.size(); i += stride) {
-      const bool at_border = is_outer || (begins && i < at_end) || (ends && i + at_end >= piece.size());
-      if (at_border) samples.emplace_back(piece.x[i], piece.y[i], piece.z[i]);
+      const bool is_at_end = (begins && i < at_end) || (ends && i + at_end >= piece.size());
+      if (is_outer || is_at_end) samples.emplace_back(piece.x[i], piece.y[i], piece.z[i]);
     }
   }
   return samples;
