@@ -74,7 +74,7 @@ private:
     path_ = stages_.path(*planner_, fit_, progress_);
     driven_ = airRun(path_, cell_, options_.program);
     take(path_.report, path_.accuracy, path_.notes);
-    output_.setPath(driven_.planned.path, driven_.planned.findings);
+    output_.setPath(driven_.planned.path, pathVerdicts(driven_));
   }
 
   void motion() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "scan_to_path/common/error.h"
@@ -34,7 +35,7 @@ double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
 /// What was nearer than the sensor sees may reach as high as the sensor went. A single beam of that kind is an error
 /// of the sensor's, as spikes are; three within a square of a millimetre are not.
 void addTooNear(const scan::NoReturns& no_returns, scan::FittedScan& scan) {
-  constexpr double side = 0.001;     // [m]
+  constexpr double side = 0.001;  // [m]
   constexpr std::size_t least = 3;
   const geometry::Frame T_scan_cloud = scan.T_cloud_scan.inverse();
   std::map<std::pair<double, double>, scan::Obstacles> squares;
@@ -66,8 +67,9 @@ void addUnknownClockOffset(const sensing::ClockOffsetEstimate& estimate, double 
   const bool is_needed = estimate.observability == sensing::Observability::none && stated == 0.0;
   if (is_needed && limits.max_clock_offset > 0.0) {
     stage.accuracy.push_back({"clock_offset_unknown", 1.0, "", 0.0});
-    note += "; scan rows to and fro, state a calibrated one in scan.placement.clock_offset, or take it as it is with "
-            "--set report.max_clock_offset=0";
+    note +=
+        "; scan rows to and fro, state a calibrated one in scan.placement.clock_offset, or take it as it is with "
+        "--set report.max_clock_offset=0";
   }
   stage.notes.push_back(std::move(note));
 }
@@ -119,7 +121,8 @@ void markAirRun(std::vector<toolpath::WaypointVerdict>& verdicts) {
 void noteRowOrder(const process::CuttingOptions& options, MotionStage& stage) {
   const bool leans = options.lead != 0.0 || options.tilt != 0.0;
   if (!leans || options.row_order != process::RowOrder::zig_zag || stage.report.out == stage.report.in) return;
-  stage.notes.push_back("a leaning tool turns by 180 degrees from row to row to and fro: try --set path.row_order=one_way");
+  stage.notes.push_back(
+      "a leaning tool turns by 180 degrees from row to row to and fro: try --set path.row_order=one_way");
 }
 
 }  // namespace
@@ -199,6 +202,21 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   return stage;
 }
 
+std::vector<toolpath::WaypointVerdict> pathVerdicts(const PathStage& path) {
+  std::vector<toolpath::WaypointVerdict> verdicts;
+  const auto& segments = path.planned.path.segments;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    for (std::size_t i = 0; i < segments[s].waypoints.size(); ++i) {
+      toolpath::WaypointVerdict verdict;
+      verdict.segment = static_cast<int>(s);
+      verdict.index = static_cast<int>(i);
+      verdict.margin = std::numeric_limits<double>::quiet_NaN();
+      verdicts.push_back(std::move(verdict));
+    }
+  }
+  return merged(path.planned.findings, std::move(verdicts));
+}
+
 MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOptions& options, const Progress& progress) {
   MotionStage stage;
   const auto& planned = path.planned;
@@ -220,9 +238,9 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
                     {"chord_error", is_air_run ? playback.air_chord_largest : playback.chord_largest, "m",
                      options.motion.chord_tolerance}};
   const auto& chord_largest_at = is_air_run ? playback.air_chord_largest_at : playback.chord_largest_at;
-  for (const auto& [name, at] : {std::pair("playback_position", playback.position_largest_at),
-                                 std::pair("playback_angle", playback.angle_largest_at),
-                                 std::pair("chord_error", chord_largest_at)}) {
+  for (const auto& [name, at] :
+       {std::pair("playback_position", playback.position_largest_at),
+        std::pair("playback_angle", playback.angle_largest_at), std::pair("chord_error", chord_largest_at)}) {
     if (const auto note = worstPlaceNote(stage.accuracy, name, planned.path, at)) stage.notes.push_back(*note);
   }
   noteRowOrder(options.path, stage);

@@ -76,6 +76,25 @@ TEST_F(JobTest, WritesEveryFileAndSucceeds) {
   EXPECT_EQ(report["input"]["kind"], "samples");
 }
 
+TEST_F(JobTest, AfterThePathEveryWaypointHasAVerdict) {
+  auto job = request("verdicts");
+  job.input = *directory_ / "verdicts.csv";
+  job.stop_after = Stage::path;
+  std::ofstream(job.input) << scan::formatSampleLog(smallScan(Groove()));
+  const JobResult result = runJob(job, grooveOptions(), {});
+  EXPECT_EQ(result.exit, 1);
+  const auto report = nlohmann::json::parse(file(job, "report.json"));
+  const std::size_t waypoints = toolpath::waypointCount(toolpath::parseToolPath(file(job, "path.csv"), "path.csv"));
+  const std::size_t gouges = report["accuracy"]["path_gouges"]["value"];
+  ASSERT_GT(gouges, 0U);
+  EXPECT_EQ(report["waypoints"].size(), waypoints);
+  EXPECT_EQ(report["summary"]["failed"], gouges);
+  EXPECT_EQ(report["summary"]["ok"], waypoints - gouges);
+  EXPECT_TRUE(report["waypoints"][0]["margin"].is_null());
+  const std::string share = std::to_string(gouges) + " of " + std::to_string(waypoints) + " waypoints: gouge";
+  EXPECT_THAT(result.summary, ::testing::Contains(HasSubstr(share)));
+}
+
 TEST_F(JobTest, StopsAfterTheStageAskedFor) {
   const std::map<Stage, std::set<std::string>> expected = {
       {Stage::scan, {"report.json", "timing.json"}},

@@ -58,6 +58,10 @@ struct MotionStage {
   std::vector<std::string> notes;  ///< where a tolerance fails, and what may help
 };
 
+/// One verdict a waypoint of a path whose motion is not planned: its findings, and ok for all others, which have no
+/// margin (NaN).
+std::vector<toolpath::WaypointVerdict> pathVerdicts(const PathStage& path);
+
 /// Plans the motion along the path that is driven and plays it back through kinematics that share no code with the
 /// solver.
 MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOptions& options, const Progress& progress);
