@@ -28,9 +28,10 @@ def figures(seed, *emulation):
     return {name: entry["value"] for name, entry in report["accuracy"].items()}
 
 
-def holds(value):
-    """A table point would be 4 mm off at least, a spike 0.2 mm."""
-    return value["reference_path_rms"] <= RMS and value["reference_path_largest"] <= LARGEST
+def worst(*emulation):
+    """The worst seed's RMS and largest distance off the part. A table point would be 4 mm off at least, a spike 0.2 mm."""
+    found = [figures(seed, *emulation) for seed in range(1, SEEDS + 1)]
+    return tuple(max(value[name] for value in found) for name in ("reference_path_rms", "reference_path_largest"))
 
 
 class Acceptance(unittest.TestCase):
@@ -38,7 +39,8 @@ class Acceptance(unittest.TestCase):
         for seed in range(1, SEEDS + 1):
             with self.subTest(seed=seed):
                 value = figures(seed)
-                self.assertTrue(holds(value), value)
+                self.assertLessEqual(value["reference_path_rms"], RMS)
+                self.assertLessEqual(value["reference_path_largest"], LARGEST)
                 self.assertLessEqual(value["reference_scallop_largest"], 1e-4 + value["reference_path_largest"])
                 self.assertGreaterEqual(value["reference_scallop_largest"], 0.85e-4)
                 self.assertEqual(value["reference_uncut_share"], 0.0)
@@ -72,11 +74,17 @@ class Acceptance(unittest.TestCase):
             self.assertEqual(status, 0)
             self.assertIn("more than path.scallop_height", notes)
 
-    def test_a_robot_twice_as_bad_does_not_pass(self):
-        self.assertFalse(holds(figures(4, "--set", "emulate.errors.drift_sigma=1.3e-5")))
+    @unittest.skipIf(SEEDS < 5, "twins are held to the worst of five seeds, as the bars are")
+    def test_a_robot_twice_as_bad_misses_both_bars(self):
+        rms, largest = worst("--set", "emulate.errors.drift_sigma=1.3e-5")
+        self.assertGreater(rms, RMS)
+        self.assertGreater(largest, LARGEST)
 
-    def test_a_missed_linearity_error_does_not_pass(self):
-        self.assertFalse(holds(figures(4, "--set", "emulate.errors.linearity_peak=3e-5")))
+    @unittest.skipIf(SEEDS < 5, "twins are held to the worst of five seeds, as the bars are")
+    def test_a_missed_linearity_error_misses_both_bars(self):
+        rms, largest = worst("--set", "emulate.errors.linearity_peak=3e-5")
+        self.assertGreater(rms, RMS)
+        self.assertGreater(largest, LARGEST)
 
 
 if __name__ == "__main__":
