@@ -43,13 +43,15 @@ std::size_t lineCount(const std::vector<HeightSamples>& lines) {
 /// Fits of a set of samples with any numbers of control points.
 class Fitter {
 public:
-  Fitter(const std::vector<HeightSamples>& lines, std::size_t max_cells)
-      : moments_(accumulateHeights(lines, cellsU(lines, max_cells), cellsV(lines, max_cells))),
+  Fitter(const std::vector<HeightSamples>& lines, std::size_t max_cells, const Progress& progress = {})
+      : progress_(progress),
+        moments_(accumulateHeights(lines, cellsU(lines, max_cells), cellsV(lines, max_cells))),
         thin_plate_(max_cells > coarse_cells ? fine_thin_plate : coarse_thin_plate) {}
 
   double samples() const { return moments_.samples; }
 
   SurfaceFit fit(int count_u, int count_v) {
+    progress_.checkCancelled();
     const int cells_u = static_cast<int>(moments_.grid.cells_u);
     const int cells_v = static_cast<int>(moments_.grid.cells_v);
     const std::vector<int> ends_u = spanEnds(count_u - degree, cells_u);
@@ -146,6 +148,7 @@ private:
     }
   }
 
+  Progress progress_;
   HeightMoments moments_;
   double thin_plate_;
   std::map<int, MomentGrid> merged_u_;
@@ -257,18 +260,19 @@ private:
 
 }  // namespace
 
-SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options) {
+SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options,
+                            const Progress& progress) {
   scan_to_path::validate(options, "surface fit");
   const int rows = static_cast<int>(std::min<std::size_t>(lineCount(lines), 10000));
   const int limit_v = std::min(options.max_control_points, std::max(degree + 1, 2 * rows / 3));
-  Fitter coarse(lines, coarse_cells);
+  Fitter coarse(lines, coarse_cells, progress);
   Search search(coarse, options.noise, std::min({options.max_control_points, coarse.largestU(), coarse_count}),
                 std::min({coarse.largestV(), limit_v, coarse_count}));
   const SurfaceFit best = search.best();
   const bool more_u = best.count_u >= search.largestU() && best.count_u < options.max_control_points;
   const bool more_v = best.count_v >= search.largestV() && best.count_v < limit_v;
   if (!more_u && !more_v) return best;
-  Fitter fine(lines, fine_cells);
+  Fitter fine(lines, fine_cells, progress);
   return Climb(fine, options.noise, std::min(options.max_control_points, fine.largestU()),
                std::min(fine.largestV(), limit_v))
       .from(best.count_u, best.count_v);

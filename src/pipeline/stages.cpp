@@ -97,6 +97,13 @@ void addClockOffset(const sensing::ClockOffsetEstimate& estimate, double stated,
   }
 }
 
+/// The beam decides on which side of the cloud the material is, and so from where the tool comes.
+void noteAssumedBeam(const Vector3& beam, ScanStage& stage) {
+  stage.notes.push_back("the cloud does not say from where it was seen: taken along (" + fixed(beam.x(), 2) + ", " +
+                        fixed(beam.y(), 2) + ", " + fixed(beam.z(), 2) +
+                        ") in its own frame, with the material behind it; else set scan.beam");
+}
+
 /// The worse of the path's finding and the motion's verdict: a gouge is the part's loss, so it comes first.
 std::vector<toolpath::WaypointVerdict> merged(const std::vector<toolpath::WaypointVerdict>& findings,
                                               std::vector<toolpath::WaypointVerdict> verdicts) {
@@ -159,6 +166,7 @@ ScanStage scanFromCloud(std::string_view content, const std::string& name, Units
   if (!units_given) checkPlausibleSize(boundsOf(file.cloud), units, name);
   ScanStage stage;
   stage.mean_beam = file.viewing_direction.value_or(options.beam);
+  if (!file.viewing_direction) noteAssumedBeam(options.beam, stage);
   if (!(stage.mean_beam.norm() > 0.0)) throw InputError("scan.beam is zero, must be a direction");
   stage.mean_beam = geometry::roundedDirection(stage.mean_beam);
   stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(file.cloud));

@@ -156,7 +156,7 @@ public:
     planned.passes = passCount(options_);
     planned.figures = rowFigures(rows);
     addRows(planned.path, planned.allowances, rows, scan.T_cloud_scan, options_);
-    join(planned, scan, {}, rowFigures(rows));
+    join(planned, scan, {}, rowFigures(rows), progress);
     for (std::size_t s = 0; s < planned.path.segments.size(); ++s) {
       const Segment& segment = planned.path.segments[s];
       const RowPart row = {static_cast<int>(s), static_cast<int>(firstContact(segment))};
@@ -179,7 +179,7 @@ public:
       for (const RowPart& part : cut.parts) {
         planned.allowances.push_back(whole.allowances[static_cast<std::size_t>(part.source)]);
       }
-      join(planned, scanOf(input), rowsOf(whole.path), whole.figures);
+      join(planned, scanOf(input), rowsOf(whole.path), whole.figures, progress);
       planned.parts = withLinksBetween(planned.path, cut.parts, RowPart{});
     }
     progress.update("path", 1.0);
@@ -221,7 +221,7 @@ private:
   /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.
   /// `whole_figures` are those of the path as first planned.
   void join(PlannedPath& planned, const scan::FittedScan& scan, std::vector<Segment> also_below,
-            const std::vector<Figure>& whole_figures) const {
+            const std::vector<Figure>& whole_figures, const Progress& progress) const {
     const std::vector<Segment> obstacles = obstaclesBelow(scan);
     also_below.insert(also_below.end(), obstacles.begin(), obstacles.end());
     planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
@@ -231,10 +231,11 @@ private:
     planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
     const auto target = options_.row_source == RowSource::scan_lines ? toolpath::GougeTarget::surface_and_lines
                                                                      : toolpath::GougeTarget::surface;
+    progress.checkCancelled();
     const UncoveredArea uncovered =
         uncoveredArea(planned.path, planned.allowances, scan, options_.ball_radius, heightLeft(whole_figures));
     const toolpath::GougeCheck gouges(scan, options_.ball_radius, options_.gouge_tolerance, target);
-    planned.findings = gouges.check(planned.path, planned.allowances, options_.chord_tolerance);
+    planned.findings = gouges.check(planned.path, planned.allowances, options_.chord_tolerance, progress);
     setTravelFigures(planned);
     setFigure(planned.figures, {"uncovered_area", uncovered.area, "m^2"});
     setFigure(planned.figures, {"uncovered_share", uncovered.share, "1"});

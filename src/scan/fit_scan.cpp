@@ -22,12 +22,13 @@ double pooledSigma(const std::vector<FittedLine>& lines) {
   return samples > 0.0 ? std::sqrt(sum / samples) : 0.0;
 }
 
-nurbs::SurfaceFit fitSurface(const SampleRows& rows, const nurbs::SurfaceFitOptions& options) {
+nurbs::SurfaceFit fitSurface(const SampleRows& rows, const nurbs::SurfaceFitOptions& options,
+                             const Progress& progress) {
   std::vector<nurbs::HeightSamples> lines;
   for (const RowPiece& piece : rows.pieces) {
     lines.push_back({piece.x.data(), piece.y.data(), piece.z.data(), piece.size(), piece.row});
   }
-  return nurbs::fitHeightSurface(lines, options);
+  return nurbs::fitHeightSurface(lines, options, progress);
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ FittedScan fitRows(const SampleRows& rows, const FitOptions& options, int thread
   scan.obstacles = highestPoints(rows.obstacles, obstacle_spacing);
   if (options.with_surface) {
     progress.update("surface", 0.7);
-    nurbs::SurfaceFit surface = fitSurface(rows, options.surface);
+    nurbs::SurfaceFit surface = fitSurface(rows, options.surface, progress);
     scan.surface = std::move(surface.surface);
     scan.surface_rms = surface.rms;
   }

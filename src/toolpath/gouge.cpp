@@ -238,7 +238,7 @@ bool GougeCheck::judgeWaypoint(const Segment& segment, std::size_t index, double
 }
 
 std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::vector<double>& allowance,
-                                               double chord_tolerance) const {
+                                               double chord_tolerance, const Progress& progress) const {
   if (!allowance.empty() && allowance.size() != path.segments.size()) {
     throw InputError("gouge check", "number of allowances", std::to_string(allowance.size()),
                      "one for each of the " + std::to_string(path.segments.size()) + " segments");
@@ -247,6 +247,7 @@ std::vector<WaypointVerdict> GougeCheck::check(const ToolPath& path, const std::
   const Waypoint* before = nullptr;
   bool touched = false;
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
+    progress.checkCancelled();
     for (std::size_t i = 0; i < path.segments[s].waypoints.size(); ++i) {
       WaypointVerdict verdict;
       verdict.segment = static_cast<int>(s);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -255,6 +256,12 @@ TEST(FitHeightSurface, RefusesBadInput) {
   SurfaceFitOptions options;
   options.max_control_points = 3;
   expectInputError([&] { fitHeightSurface(views(lines), options); }, "max_control_points");
+}
+
+TEST(SurfaceFit, StopsBetweenFitsWhenAsked) {
+  const auto lines = test::sPartLines(200, 10e-6, 1, test::sPartRows());
+  const std::atomic<bool> cancelled{true};
+  EXPECT_THROW(fitHeightSurface(views(lines), {}, Progress({}, &cancelled)), Interrupted);
 }
 
 }  // namespace

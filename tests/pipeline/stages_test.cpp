@@ -39,6 +39,19 @@ TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
   }
 }
 
+TEST(Stages, AnAssumedViewingDirectionIsNoted) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});
+  ScanSection options;
+  options.beam = Vector3(0.0, 0.6, -0.8);
+  const ScanStage assumed = scanFromCloud(scan::formatPcd(*samples.cloud), "cloud.pcd", Units::m, false, options);
+  EXPECT_THAT(assumed.notes, ::testing::ElementsAre(HasSubstr("taken along (0.00, 0.60, -0.80) in its own frame")));
+  EXPECT_LT(geometry::angleBetween(assumed.mean_beam, options.beam), 1e-9);
+  const Frame T_cloud_sensor = geometry::makeFrame(Vector3(0.8, 0.0, 2.0), Vector3(M_PI, 0.0, 0.0));
+  const std::string seen = scan::formatPcd(*samples.cloud, T_cloud_sensor);
+  EXPECT_TRUE(scanFromCloud(seen, "cloud.pcd", Units::m, false, options).notes.empty());
+}
+
 TEST(Stages, CloudsInMillimetresAreScaledOrSuggested) {
   const Cell cell = makeCell(CellOptions(), source_package);
   scan::ScanCloud millimetres = *scanFromSamples(smallScan(), cell, {}, {}, 1, {}).cloud;

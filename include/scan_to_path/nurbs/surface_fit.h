@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scan_to_path/common/options.h"
+#include "scan_to_path/common/progress.h"
 #include "scan_to_path/nurbs/surface.h"
 
 namespace scan_to_path::nurbs {
@@ -53,8 +54,9 @@ struct SurfaceFit {
 /// it is 1e-5, for knots as close as the rows leave patches at ragged edges nearly bare.
 /// Cost: one pass over the samples; after it everything works on sums per grid cell. RMS below about 1e-8 of the
 /// height range is rounding.
-/// Throws InputError when there are no samples, one is not finite, or they span no rectangle.
-SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options = {});
+/// Throws InputError when there are no samples, one is not finite, or they span no rectangle; Interrupted.
+SurfaceFit fitHeightSurface(const std::vector<HeightSamples>& lines, const SurfaceFitOptions& options = {},
+                            const Progress& progress = {});
 
 /// The same with given numbers of control points, each at least 4. Throws InputError for numbers out of
 /// [4, 259] too; with more than the samples determine the thin-plate energy decides.

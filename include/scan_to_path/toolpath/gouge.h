@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scan_to_path/common/progress.h"
 #include "scan_to_path/scan/fitted_scan.h"
 #include "scan_to_path/toolpath/scan_surface.h"
 #include "scan_to_path/toolpath/tool_path.h"
@@ -37,9 +38,9 @@ public:
   /// path order. All moves are swept; between two contacts the ball may go deeper by `chord_tolerance` [m], by which
   /// the straight move may leave the surface. `allowance` is the stock that each segment leaves on the surface [m];
   /// empty means none. The margin is the hollow's radius less the ball's, or the ball's depth in the surface as a
-  /// negative number [m].
+  /// negative number [m]. Throws Interrupted.
   std::vector<WaypointVerdict> check(const ToolPath& path, const std::vector<double>& allowance = {},
-                                     double chord_tolerance = 0.0) const;
+                                     double chord_tolerance = 0.0, const Progress& progress = {}) const;
 
 private:
   struct Nearest {
