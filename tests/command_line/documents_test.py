@@ -5,6 +5,7 @@
 
 usage: documents_test.py EXECUTABLE SOURCE_DIRECTORY
 """
+import json
 import pathlib
 import subprocess
 import sys
@@ -22,4 +23,11 @@ with tempfile.TemporaryDirectory(prefix="scan_to_path_") as directory:
     report = result / "report.json"
     report.write_text(report.read_text().replace('"failed": 0', '"failed": 1'))
     mutated = subprocess.run([*check, result], check=False, capture_output=True).returncode
-sys.exit(status or (0 if mutated else "a changed report went unnoticed"))
+    # And so must a benchmark that was run but not published.
+    measured = json.loads((source / "docs/performance.json").read_text())
+    measured["log_to_path"]["1000000"]["wall_s"] += 0.1
+    (pathlib.Path(directory) / "performance.json").write_text(json.dumps(measured))
+    unpublished = subprocess.run([*check, pathlib.Path(directory)], check=False, capture_output=True).returncode
+if not mutated or not unpublished:
+    sys.exit("a changed report went unnoticed" if not mutated else "unpublished figures went unnoticed")
+sys.exit(status)
