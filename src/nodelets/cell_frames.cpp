@@ -4,6 +4,7 @@
 #include <robot_state_publisher/robot_state_publisher.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_eigen/tf2_eigen.h>
+#include <tf2_msgs/TFMessage.h>
 #include <kdl_parser/kdl_parser.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -44,7 +45,7 @@ public:
 /// The cell in tf2: the robot's links for every joint reading, none left out however fast they come (the node of
 /// robot_state_publisher keeps one and throttles), and the fixed frames sensor, tcp and workpiece.
 class CellFrames : public nodelet::Nodelet {
-  static constexpr int queue = 20000;  ///< joint readings: 20 s at 1 kHz
+  static constexpr int queue = 20000;  ///< joint readings, and their transforms: 20 s at 1 kHz
 
   void onInit() override {
     const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
@@ -56,6 +57,8 @@ class CellFrames : public nodelet::Nodelet {
     if (!model.initFile(file.string()) || !kdl_parser::treeFromUrdfModel(model, tree)) {
       throw scan_to_path::InputError(file.string() + ": no robot that tf2 can show");
     }
+    // Who advertises first says how many wait for another process or host; tf2's own broadcaster would keep 100.
+    transforms_ = getNodeHandle().advertise<tf2_msgs::TFMessage>("/tf", queue);
     robot_ = std::make_unique<RobotFrames>(tree, model);
     publishFixed(options.cell, cell);
     joints_ = getNodeHandle().subscribe("joint_states", queue, &CellFrames::publish, this);
@@ -84,6 +87,7 @@ class CellFrames : public nodelet::Nodelet {
     robot_->publishTransforms(positions, joints->header.stamp);
   }
 
+  ros::Publisher transforms_;
   std::unique_ptr<RobotFrames> robot_;
   ros::Subscriber joints_;
 };
