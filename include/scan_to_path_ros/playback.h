@@ -41,6 +41,9 @@ public:
   bool isDone() const { return next_ == states_.size(); }
   double fraction() const { return static_cast<double>(next_) / static_cast<double>(states_.size()); }
 
+  /// Plays everything by so much later; nothing may have been played.
+  void postpone(const ros::Duration& time);
+
   /// When the point is played.
   ros::Time stamp(std::size_t point) const { return states_[place_[point]].header.stamp; }
   const sensor_msgs::JointState& last() const { return states_.back(); }
@@ -62,6 +65,9 @@ public:
   PlaybackComparison(const scan_to_path::toolpath::ToolPath& path, const scan_to_path::MotionPlan& plan,
                      const JointPlayback& playback);
 
+  /// As the playback is.
+  void postpone(const ros::Duration& time);
+
   void addTransform(const geometry_msgs::TransformStamped& transform, bool is_static);
 
   /// Counts waypoints whose transforms did not come as missing.
@@ -80,6 +86,9 @@ private:
     scan_to_path::geometry::Frame T_path_tcp;
   };
 
+  static constexpr double patience = 1.0;  ///< [s] of stamps that come before a transform that may yet come
+
+  /// False while there are no transforms for it.
   bool compare(const Target& target);
 
   tf2::BufferCore buffer_{ros::Duration(60.0)};

@@ -5,7 +5,6 @@
 #include <scan_to_path/PlannedPath.h>
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
-#include <tf2_msgs/TFMessage.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
@@ -14,7 +13,7 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path_ros/conversions.h"
 #include "scan_to_path_ros/parameters.h"
-#include "scan_to_path_ros/playback.h"
+#include "scan_to_path_ros/playback_watch.h"
 
 namespace scan_to_path_nodelets {
 
@@ -23,21 +22,19 @@ namespace scan_to_path_nodelets {
 /// where it is.
 class TrajectoryPlayer : public nodelet::Nodelet {
   static constexpr double period = 0.02;       ///< of looks at the clock [s of wall time]
-  static constexpr double path_period = 1.0;   ///< of the played path while it grows [s of wall time]
   static constexpr double hold_period = 0.25;  ///< of the joint states at the end [s of wall time]
-  static constexpr double late = 1.0;          ///< after which a transform comes no more [s of wall time]
+  static constexpr double late = 1.0;          ///< after which a scan's samples come no more [s of wall time]
+  static constexpr double deaf = 5.0;          ///< without any transform it plays all the same [s of wall time]
 
   void onInit() override {
     ros::NodeHandle& nodes = getNodeHandle();
     joints_ = nodes.advertise<sensor_msgs::JointState>("joint_states", 20000);
     active_ = nodes.advertise<std_msgs::Bool>("playback_active", 1, true);
-    path_ = nodes.advertise<nav_msgs::Path>("played_path", 1, true);
-    deviation_ = nodes.advertise<scan_to_path::PlaybackDeviation>("playback_deviation", 1, true);
+    watch_ = std::make_unique<scan_to_path_ros::PlaybackWatch>(nodes);
     subscribers_ = {nodes.subscribe("joint_trajectory", 1, &TrajectoryPlayer::takeTrajectory, this),
                     nodes.subscribe("motion_plan", 1, &TrajectoryPlayer::takePlan, this),
                     nodes.subscribe("planned_path", 1, &TrajectoryPlayer::takePath, this),
-                    nodes.subscribe("scan_acknowledged", 1, &TrajectoryPlayer::noteScan, this),
-                    nodes.subscribe("/tf_static", 100, &TrajectoryPlayer::takeStaticTransforms, this)};
+                    nodes.subscribe("scan_acknowledged", 1, &TrajectoryPlayer::noteScan, this)};
     start_ = getPrivateNodeHandle().advertiseService("start", &TrajectoryPlayer::start, this);
     stop_ = getPrivateNodeHandle().advertiseService("stop", &TrajectoryPlayer::stop, this);
     timer_ = nodes.createWallTimer(ros::WallDuration(period), [this](const ros::WallTimerEvent&) { step(); });
@@ -74,8 +71,8 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     try {
       begin();
       response.success = 1;
-      response.message =
-          std::to_string(trajectory_->points.size()) + " points" + (comparison_ ? "" : ", no path to compare with");
+      response.message = std::to_string(trajectory_->points.size()) + " points" +
+                         (watch_->isPrepared() ? "" : ", no path to compare with");
     } catch (const scan_to_path::InputError& error) {
       response.message = error.what();
     }
@@ -84,40 +81,44 @@ class TrajectoryPlayer : public nodelet::Nodelet {
 
   bool stop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
     response.success = 1;
-    if (comparison_) report();
     end();
     return true;
   }
 
   void end() {
-    transforms_.shutdown();
+    is_asked_ = false;
+    watch_->end();
     playback_.reset();
-    comparison_.reset();
     setActive(false);
   }
 
   bool isRealRobot() { return scan_to_path_ros::parameter(getPrivateNodeHandle(), "real_robot", false); }
 
   void begin() {
-    if (isRealRobot())
-      throw scan_to_path::InputError("a real robot publishes joint_states; play back with sim:=true");
+    if (isRealRobot()) throw scan_to_path::InputError("a real robot publishes joint_states; play back with sim:=true");
     if (!trajectory_)
       throw scan_to_path::InputError("no trajectory has come on " + getNodeHandle().resolveName("joint_trajectory"));
     if ((ros::WallTime::now() - scanned_).toSec() < late) throw scan_to_path::InputError("a scan is running");
-    // A moment for the robot that stood still to fall silent.
-    const ros::Time first = ros::Time::now() + ros::Duration(5 * period);
-    const scan_to_path_ros::JointPlayback playback(*trajectory_, scan_to_path_ros::playbackOptions(getPrivateNodeHandle()), first);
-    comparison_.reset();
-    if (isPlanned()) {
-      comparison_ = std::make_unique<scan_to_path_ros::PlaybackComparison>(*driven_, *plan_, playback);
-      addTransforms(static_transforms_, true);
-    }
-    transforms_ = getNodeHandle().subscribe("/tf", 20000, &TrajectoryPlayer::takeTransforms, this);
+    if (playback_) end();
+    const scan_to_path_ros::JointPlayback playback(
+        *trajectory_, scan_to_path_ros::playbackOptions(getPrivateNodeHandle()), ros::Time::now());
+    watch_->prepare(isPlanned() ? std::make_unique<scan_to_path_ros::PlaybackComparison>(*driven_, *plan_, playback)
+                                : nullptr);
     playback_ = playback;
+    asked_at_ = ros::WallTime::now();
+    is_asked_ = true;
+  }
+
+  /// Once transforms are heard, of the robot that stands and says so a few times a second.
+  void play() {
+    if (watch_->isPrepared() && !watch_->hears() && (ros::WallTime::now() - asked_at_).toSec() < deaf) return;
+    is_asked_ = false;
     last_look_ = ros::Time::now();
-    done_at_ = reported_ = ros::WallTime();
     setActive(true);
-    if (comparison_) report();
+    // A moment for that robot to fall silent.
+    const ros::Duration later = last_look_ + ros::Duration(5 * period) - playback_->stamp(0);
+    playback_->postpone(later);
+    watch_->begin(later);
   }
 
   /// Path and plan are those of the trajectory.
@@ -127,7 +128,8 @@ class TrajectoryPlayer : public nodelet::Nodelet {
   }
 
   void step() {
-    if (!playback_) return;
+    if (is_asked_) play();
+    if (!playback_ || is_asked_) return;
     const ros::Time now = ros::Time::now();
     if (now < last_look_) {
       NODELET_ERROR("the clock went back while playing; stopped");
@@ -137,30 +139,17 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     for (auto& state : playback_->until(now))
       joints_.publish(boost::make_shared<sensor_msgs::JointState>(std::move(state)));
     if (playback_->isDone()) stand(now);
-    if (comparison_ && (ros::WallTime::now() - reported_).toSec() > path_period) report();
+    watch_->look(playback_->isDone());
   }
 
-  /// At the end: waits for the last transforms, then stays.
+  /// Stays at the end.
   void stand(const ros::Time& now) {
     const ros::WallTime wall = ros::WallTime::now();
-    if (done_at_.isZero()) done_at_ = held_at_ = wall;
-    if (comparison_ && comparison_->deviation().finished == 0 &&
-        (comparison_->waiting() == 0 || (wall - done_at_).toSec() > late)) {
-      comparison_->finish();
-      transforms_.shutdown();
-      report();
-    }
     if ((wall - held_at_).toSec() < hold_period || now <= playback_->last().header.stamp) return;
     held_at_ = wall;
     const auto state = boost::make_shared<sensor_msgs::JointState>(playback_->last());
     state->header.stamp = now;
     joints_.publish(state);
-  }
-
-  void report() {
-    reported_ = ros::WallTime::now();
-    path_.publish(boost::make_shared<nav_msgs::Path>(comparison_->path()));
-    deviation_.publish(boost::make_shared<scan_to_path::PlaybackDeviation>(comparison_->deviation()));
   }
 
   void setActive(bool active) {
@@ -169,33 +158,12 @@ class TrajectoryPlayer : public nodelet::Nodelet {
     active_.publish(message);
   }
 
-  void takeTransforms(const tf2_msgs::TFMessageConstPtr& msg) {
-    if (comparison_ && comparison_->waiting() > 0) addTransforms(msg->transforms, false);
-  }
-
-  /// Static ones come once, for every playback there will be.
-  void takeStaticTransforms(const tf2_msgs::TFMessageConstPtr& msg) {
-    static_transforms_.insert(static_transforms_.end(), msg->transforms.begin(), msg->transforms.end());
-    if (comparison_) addTransforms(msg->transforms, true);
-  }
-
-  void addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms, bool are_static) {
-    for (const auto& transform : transforms) comparison_->addTransform(transform, are_static);
-  }
-
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
     using diagnostic_msgs::DiagnosticStatus;
     if (!playback_) return status.summary(DiagnosticStatus::OK, "idle");
     status.summary(DiagnosticStatus::OK, playback_->isDone() ? "at the end" : "playing");
     status.add("played", playback_->fraction());
-    if (!comparison_) return;
-    const auto& off = comparison_->deviation();
-    if (off.finished != 0 && off.missing > 0)
-      status.summary(DiagnosticStatus::ERROR, "transforms of the tool are missing");
-    status.add("waypoints", off.waypoints);
-    status.add("waypoints without a transform", off.missing);
-    status.add("largest deviation [m]", off.position_largest);
-    status.add("largest deviation [rad]", off.angle_largest);
+    watch_->describe(status);
   }
 
   trajectory_msgs::JointTrajectoryConstPtr trajectory_;
@@ -203,19 +171,15 @@ class TrajectoryPlayer : public nodelet::Nodelet {
   std::optional<scan_to_path::toolpath::ToolPath> driven_;
   ros::Time path_stamp_;
   std::optional<scan_to_path_ros::JointPlayback> playback_;
-  std::unique_ptr<scan_to_path_ros::PlaybackComparison> comparison_;
-  std::vector<geometry_msgs::TransformStamped> static_transforms_;
+  std::unique_ptr<scan_to_path_ros::PlaybackWatch> watch_;
+  bool is_asked_ = false;  ///< to play what is prepared
   ros::Time last_look_;
-  ros::WallTime done_at_;
+  ros::WallTime asked_at_;
   ros::WallTime held_at_;
-  ros::WallTime reported_;
   ros::WallTime scanned_;
   ros::Publisher joints_;
   ros::Publisher active_;
-  ros::Publisher path_;
-  ros::Publisher deviation_;
   std::vector<ros::Subscriber> subscribers_;
-  ros::Subscriber transforms_;  ///< only while they are compared
   ros::ServiceServer start_;
   ros::ServiceServer stop_;
   ros::WallTimer timer_;

@@ -91,6 +91,10 @@ void JointPlayback::addMove(const trajectory_msgs::JointTrajectory& trajectory, 
   place_.push_back(states_.size() - 1);
 }
 
+void JointPlayback::postpone(const ros::Duration& time) {
+  for (auto& state : states_) state.header.stamp += time;
+}
+
 std::vector<sensor_msgs::JointState> JointPlayback::until(const ros::Time& now) {
   const std::size_t first = next_;
   while (next_ < states_.size() && states_[next_].header.stamp <= now) ++next_;
@@ -115,14 +119,21 @@ PlaybackComparison::PlaybackComparison(const core::toolpath::ToolPath& path, con
   }
 }
 
+void PlaybackComparison::postpone(const ros::Duration& time) {
+  for (auto& target : waiting_) target.stamp += time;
+}
+
 void PlaybackComparison::addTransform(const geometry_msgs::TransformStamped& transform, bool is_static) {
   if (!buffer_.setTransform(transform, "tf", is_static)) return;
-  while (!waiting_.empty() && compare(waiting_.front())) waiting_.pop_front();
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    if (compare(waiting_.front())) continue;
+    if (is_static || transform.header.stamp - waiting_.front().stamp <= ros::Duration(patience)) return;
+    ++deviation_.missing;
+  }
 }
 
 void PlaybackComparison::finish() {
-  deviation_.missing += waiting_.size();
-  waiting_.clear();
+  for (; !waiting_.empty(); waiting_.pop_front()) deviation_.missing += compare(waiting_.front()) ? 0 : 1;
   deviation_.finished = 1;
 }
 
@@ -131,7 +142,7 @@ bool PlaybackComparison::compare(const Target& target) {
   try {
     msg = buffer_.lookupTransform(played_.header.frame_id, tool_frame, target.stamp);
   } catch (const tf2::TransformException&) {
-    return false;  // not yet
+    return false;
   }
   const Frame T = tf2::transformToEigen(msg);
   ++deviation_.waypoints;

@@ -22,7 +22,7 @@ def includes(path):
 
 
 # What is nothing without the nodelets around it: cell_job.py tests it.
-TESTED_IN_THE_CELL = {"nodelet_runner", "stage", "stage_results", "log_player"}
+TESTED_IN_THE_CELL = {"nodelet_runner", "stage", "stage_results", "log_player", "playback_watch"}
 # The nodelet that plays robot and part.
 EMULATORS = {"point_laser_emulator.cpp"}
 

@@ -121,5 +121,22 @@ TEST(PlaybackComparison, CountsWaypointsThatWereNotPlayed) {
   core::test::expectInputError([&] { PlaybackComparison(path(), other, playback); }, "index 7, the path has none");
 }
 
+TEST(PlaybackComparison, GoesOnAfterAWaypointThatWasNotSeen) {
+  PlaybackOptions options;
+  for (const double speed : {1.0, 0.1}) {  // waypoints at 0, 0.1 and 0.5 s; ten times as far apart
+    options.speed = speed;
+    const JointPlayback playback(trajectory(), options, begin_time);
+    PlaybackComparison comparison(path(), plan(), playback);
+    comparison.addTransform(tool(playback, 1, 0.0), false);
+    EXPECT_EQ(comparison.waiting(), 3U);  // the first may be late
+    comparison.addTransform(tool(playback, 2, 2e-6), false);
+    EXPECT_EQ(comparison.waiting(), speed < 1.0 ? 0U : 3U);
+    comparison.finish();
+    EXPECT_EQ(comparison.deviation().missing, 1U);
+    EXPECT_EQ(comparison.deviation().waypoints, 2U);
+    EXPECT_NEAR(comparison.deviation().position_largest, 2e-6, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace scan_to_path_ros
