@@ -43,6 +43,8 @@ private:
   /// Throws InputError with the service's own words when it refuses or is not there.
   void call(const std::string& service) const;
   bool exists(const std::string& service) const;
+  /// Until the service is there, as when its host comes up later; as long as for a first sample, at most.
+  void await(const std::string& service, const scan_to_path::Progress& progress) const;
 
   ros::NodeHandle nodes_;
   StageResults& results_;

@@ -18,6 +18,7 @@ namespace pipeline = scan_to_path::pipeline;
 
 constexpr const char* emulator_start = "scan_emulator/start";
 constexpr const char* emulator_stop = "scan_emulator/stop";
+constexpr const char* accumulator_start = "scan_accumulator/start";
 constexpr const char* accumulator_stop = "scan_accumulator/stop";
 constexpr const char* player_stop = "trajectory_player/stop";
 
@@ -49,21 +50,26 @@ void NodeletRunner::call(const std::string& service) const {
   if (trigger.response.success == 0) throw scan_to_path::InputError(name + ": " + trigger.response.message);
 }
 
-void NodeletRunner::read(const scan_to_path::Progress& progress) {
-  progress.update("scan", 0.0);
-  results_.clear();
-  if (exists(player_stop)) call(player_stop);
-  call("scan_accumulator/start");
-  // A cell with a real robot has no emulator: its samples come when the robot moves.
-  const bool emulated = nodes_.param("emulated", exists(emulator_start));
+void NodeletRunner::await(const std::string& service, const scan_to_path::Progress& progress) const {
   const ros::WallTime limit = ros::WallTime::now() + ros::WallDuration(waiting_.first_sample);
-  while (emulated && !exists(emulator_start) && ros::WallTime::now() < limit) {
+  while (!exists(service) && ros::WallTime::now() < limit) {
     checkMaster();
     progress.update("scan", 0.0);
     ros::WallDuration(0.02).sleep();
   }
+}
+
+void NodeletRunner::read(const scan_to_path::Progress& progress) {
+  progress.update("scan", 0.0);
+  results_.clear();
+  if (exists(player_stop)) call(player_stop);
+  await(accumulator_start, progress);
+  call(accumulator_start);
+  // A cell with a real robot has no emulator: its samples come when the robot moves.
+  const bool emulated = nodes_.param("emulated", exists(emulator_start));
   waiting_.end_is_announced = emulated;
   if (emulated) {
+    await(emulator_start, progress);
     call(emulator_start);
   } else if (!jobBag(nodes_).empty()) {
     throw scan_to_path::InputError(jobBag(nodes_) +

@@ -188,6 +188,13 @@ class CellFaults(unittest.TestCase):
                 value.key == "waiting for transforms" and value.value != "0" for value in status.values))
             self.expect_failed(job, "scan: no sample was placed for 3.0 s; do transforms come")
 
+    def test_the_accumulator_comes_later_than_the_job(self):
+        with self.without("scan_accumulator"):
+            job = self.job_of("early")
+            cell.wait_until(lambda: self.feedback.find(lambda at: at.feedback.stage == "scan"), 20.0, "the job to start")
+        code, said = job.finish()
+        self.assertEqual(code, 0, said)
+
     def test_a_stage_is_gone(self):
         with self.without("path_planner"):
             self.expect_failed(self.job_of("without_path"), "path: nothing heard of this stage for 4 s; is its nodelet running?")
