@@ -26,6 +26,7 @@ class JobServer : public nodelet::Nodelet {
 
 public:
   ~JobServer() override {
+    going_down_ = true;
     cancelled_ = true;
     if (worker_.joinable()) worker_.join();
   }
@@ -84,8 +85,8 @@ private:
       result.exit = 130;
       result.summary = {rejected.what()};
     } catch (const scan_to_path::Interrupted&) {
-      result.exit = 130;
-      result.summary = {"cancelled"};
+      result.exit = going_down_ ? 2 : 130;
+      result.summary = {going_down_ ? "the job server is gone" : "cancelled"};
       cancel_.publish(std_msgs::Empty());
     } catch (const std::exception& error) {
       result.exit = 3;
@@ -166,6 +167,7 @@ private:
   ros::WallTimer diagnostics_timer_;
   std::atomic<bool> busy_{false};
   std::atomic<bool> cancelled_{false};
+  std::atomic<bool> going_down_{false};  ///< which cancels the job, and nobody asked for that
   std::thread worker_;
 };
 

@@ -195,6 +195,15 @@ class CellFaults(unittest.TestCase):
         code, said = job.finish()
         self.assertEqual(code, 0, said)
 
+    def test_the_job_server_goes_down(self):
+        job = self.job_of("without_server", LONG)
+        self.wait_for_samples()
+        with self.without("job_server"):
+            code, said = job.finish(20)
+        self.assertEqual(code, 2, said)
+        self.assertRegex(said, r"^(run_job: )?the job server is gone\n$")
+        self.assertTrue(job.left_nothing())
+
     def test_a_stage_is_gone(self):
         with self.without("path_planner"):
             self.expect_failed(self.job_of("without_path"), "path: nothing heard of this stage for 4 s; is its nodelet running?")
