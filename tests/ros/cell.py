@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the tests of a running cell share: its jobs as a user starts them, its files, and bounded waits."""
 import json
+import os
 import pathlib
 import shutil
 import signal
@@ -38,9 +39,9 @@ def wait_until(condition, seconds, what):
 class Job:
     """A job under way, started by the client that users have."""
 
-    def __init__(self, out, configuration="", name="cell", env=None, arguments=()):
+    def __init__(self, out, configuration="", name="cell", env=None, arguments=(), prefix=()):
         self.out = pathlib.Path(out)
-        command = [RUN_JOB, "--out", self.out, "--wait", "40", "--server", name + "/job_server", *arguments]
+        command = [*prefix, RUN_JOB, "--out", self.out, "--wait", "40", "--server", name + "/job_server", *arguments]
         if configuration:
             self.configuration = tempfile.NamedTemporaryFile("w", suffix=".yaml")
             self.configuration.write(configuration)
@@ -83,6 +84,25 @@ class Job:
         layout = "<" + "".join(kinds[kind] for kind in zip(lines["TYPE"], lines["SIZE"]))
         points = (dict(zip(lines["FIELDS"], values)) for values in struct.iter_unpack(layout, data))
         return {point["time"]: (point["x"], point["y"], point["z"]) for point in points}
+
+
+class Launch:
+    """A launch under way; closed, nothing of it is left."""
+
+    def __init__(self, *arguments, env, prefix=()):
+        self.process = subprocess.Popen([*prefix, "roslaunch", *arguments], env=env, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL, start_new_session=True)
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        try:
+            self.process.wait(30)  # nodelets whose manager is gone take their time
+        finally:
+            try:
+                os.killpg(self.process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
 
 
 def unload(name):

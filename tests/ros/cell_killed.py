@@ -6,7 +6,6 @@ new cell works. A rostest cannot spare its master, so these cells are started an
 import os
 import pathlib
 import signal
-import subprocess
 import tempfile
 import unittest
 from xmlrpc.client import ServerProxy
@@ -24,8 +23,7 @@ class Cell:
         port = str(ports.free())
         self.uri = "http://127.0.0.1:" + port
         self.env = dict(os.environ, ROS_IP="127.0.0.1", ROS_MASTER_URI=self.uri, ROS_LOG_DIR=str(directory / "log"))
-        self.launch = subprocess.Popen(["roslaunch", "-p", port, "scan_to_path", "cell.launch"], env=self.env,
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        self.launch = cell.Launch("-p", port, "scan_to_path", "cell.launch", env=self.env)
 
     def ask(self, uri, call, *arguments):
         with ServerProxy(uri) as server:
@@ -40,17 +38,6 @@ class Cell:
     def kill_master(self):
         os.kill(self.ask(self.uri, "getPid"), signal.SIGKILL)
 
-    def close(self):
-        if self.launch.poll() is None:
-            self.launch.send_signal(signal.SIGINT)
-        try:
-            self.launch.wait(30)  # nodelets whose manager is gone take their time
-        finally:
-            try:
-                os.killpg(self.launch.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-
 
 class CellKilled(unittest.TestCase):
     def setUp(self):
@@ -60,7 +47,7 @@ class CellKilled(unittest.TestCase):
 
     def start(self):
         running = Cell(self.directory)
-        self.addCleanup(running.close)
+        self.addCleanup(running.launch.close)
         return running
 
     def test_killed(self):
@@ -83,7 +70,7 @@ class CellKilled(unittest.TestCase):
         for job in jobs.values():
             self.assertTrue(job.left_nothing())
         again = self.start()
-        without_manager.launch.wait(30)  # a cell without its manager goes down
+        without_manager.launch.process.wait(30)  # a cell without its manager goes down
         for name in ("manager", "master"):
             code, said = cell.Job(self.directory / name, cell.COARSE, env=again.env).finish()
             self.assertEqual(code, 0, said)

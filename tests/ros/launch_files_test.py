@@ -20,6 +20,7 @@ LAUNCH_FILES = sorted((SOURCE / "launch").glob("*.launch"))
 ARGUMENTS = {
     "cell": [[], ["sim:=false", "gui:=true"], ["bag:=scan.bag", "record:=other.bag"],
              ["workpiece:=part.stl", "workpiece_units:=mm", "workpiece_pose:=0.4 -0.5 0.4 0 0 0", "real_time:=true"],
+             ["side:=sensor", "record:=scan.bag"], ["side:=planning", "gui:=true"],
              [f"config:={SOURCE}/config/part_scan.yaml", "ns:=left", "seed:=3", "errors:=white"]],
     "figures": [[], ["gui:=fig_10_normals"]],
 }
@@ -61,6 +62,22 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(nodes("record:=scan.bag") - nodes(), {"scan_recorder"})
         self.assertEqual(nodes("gui:=true") - nodes(), {"rviz"})
         self.assertEqual(nodes() - nodes("sim:=false"), {"point_laser_emulator"})
+
+    def test_two_sides_are_the_cell(self):
+        """Each node on one of two hosts, with a manager on both."""
+        def commands(*arguments):
+            config = loaded(SOURCE / "launch/cell.launch", ["gui:=true", "record:=scan.bag", *arguments])
+            return {(node.name, node.type, node.args.replace("sensor_manager", "manager")) for node in config.nodes}
+        both, sensor, planning = commands(), commands("side:=sensor"), commands("side:=planning")
+        manager = ("manager", "nodelet", "manager")
+        sensor_manager = ("sensor_manager", *manager[1:])
+        self.assertEqual(sensor | planning, both | {sensor_manager})
+        self.assertEqual(sensor & planning, set())
+        self.assertIn(manager, planning)
+        self.assertEqual({name for name, *_ in sensor}, {"sensor_manager", "point_laser_emulator", "cell_frames",
+                                                         "scan_accumulator", "scan_recorder"})
+        with self.assertRaises(roslaunch.xmlloader.XmlParseException):
+            commands("side:=left")
 
     def test_the_documented_arguments_are_the_launch_files(self):
         """Each argument says what it is for."""
