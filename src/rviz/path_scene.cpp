@@ -19,20 +19,44 @@ Ogre::Vector3 toOgre(const Vector3& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-/// One line after another: a line begins before its first point.
+constexpr std::size_t chain_points = 65536 / 4;  // of one of OGRE's chains in rviz's lines
+
+/// Draws lines of at most `most_points`, in as many of rviz's objects as it takes for each to be one chain. An object
+/// of more counts points to choose the chain and lines to choose the place in it, and so mixes up lines of unequal
+/// length.
 class Pen {
 public:
-  explicit Pen(rviz::BillboardLine& lines) : lines_(lines) {}
+  Pen(Ogre::SceneManager* scene, Ogre::SceneNode* node, std::size_t lines, std::size_t most_points, float width,
+      std::vector<std::unique_ptr<rviz::BillboardLine>>& drawn)
+      : scene_(scene), node_(node), lines_left_(lines), most_points_(most_points), width_(width), drawn_(drawn) {}
 
+  /// A line begins before its first point.
   void begin() {
-    if (!first_) lines_.newLine();
-    first_ = false;
+    if (lines_here_ == 0)
+      add();
+    else
+      drawn_.back()->newLine();
+    --lines_here_;
   }
-  void to(const Vector3& point, const Ogre::ColourValue& color) { lines_.addPoint(toOgre(point), color); }
+  void to(const Vector3& point, const Ogre::ColourValue& color) { drawn_.back()->addPoint(toOgre(point), color); }
 
 private:
-  rviz::BillboardLine& lines_;
-  bool first_ = true;
+  void add() {
+    lines_here_ = std::min(lines_left_, chain_points / most_points_);
+    lines_left_ -= lines_here_;
+    auto& made = drawn_.emplace_back(std::make_unique<rviz::BillboardLine>(scene_, node_));
+    made->setMaxPointsPerLine(static_cast<std::uint32_t>(most_points_));
+    made->setNumLines(static_cast<std::uint32_t>(lines_here_));
+    made->setLineWidth(width_);
+  }
+
+  Ogre::SceneManager* scene_;
+  Ogre::SceneNode* node_;
+  std::size_t lines_left_;
+  std::size_t most_points_;
+  float width_;
+  std::vector<std::unique_ptr<rviz::BillboardLine>>& drawn_;
+  std::size_t lines_here_ = 0;
 };
 
 }  // namespace
@@ -49,19 +73,10 @@ PathScene::~PathScene() {
   if (marks_) node_->detachObject(marks_.get());
 }
 
-std::unique_ptr<rviz::BillboardLine> PathScene::makeLines(std::size_t lines, std::size_t most_points, float width) {
-  auto made = std::make_unique<rviz::BillboardLine>(scene_, node_);
-  made->setMaxPointsPerLine(static_cast<std::uint32_t>(most_points));
-  made->setNumLines(static_cast<std::uint32_t>(lines));
-  made->setLineWidth(width);
-  return made;
-}
-
 void PathScene::addStrips(const PathDrawing& drawing, const PathLook& look) {
   std::size_t most = 0;
   for (const auto& strip : drawing.strips) most = std::max(most, strip.points.size());
-  strips_ = makeLines(drawing.strips.size(), most, look.line_width);
-  Pen pen(*strips_);
+  Pen pen(scene_, node_, drawing.strips.size(), most, look.line_width, lines_);
   for (const auto& strip : drawing.strips) {
     const Ogre::ColourValue color = look.strip_color(strip);
     pen.begin();
@@ -70,8 +85,7 @@ void PathScene::addStrips(const PathDrawing& drawing, const PathLook& look) {
 }
 
 void PathScene::addArrows(const PathDrawing& drawing, const PathLook& look) {
-  arrows_ = makeLines(drawing.arrows.size(), drawing.arrows.front().size(), look.line_width);
-  Pen pen(*arrows_);
+  Pen pen(scene_, node_, drawing.arrows.size(), drawing.arrows.front().size(), look.line_width, lines_);
   for (const auto& arrow : drawing.arrows) {
     pen.begin();
     for (const auto& point : arrow) pen.to(point, look.arrow_color);
@@ -82,8 +96,7 @@ void PathScene::addFrames(const PathDrawing& drawing, const PathLook& look) {
   // Red, green and blue for x, y and z, as rviz shows frames.
   const std::array<Ogre::ColourValue, 3> colors = {Ogre::ColourValue::Red, Ogre::ColourValue::Green,
                                                    Ogre::ColourValue::Blue};
-  frames_ = makeLines(3 * drawing.frames.size(), 2, look.line_width);
-  Pen pen(*frames_);
+  Pen pen(scene_, node_, 3 * drawing.frames.size(), 2, look.line_width, lines_);
   for (const auto& frame : drawing.frames) {
     for (int axis = 0; axis < 3; ++axis) {
       const Ogre::ColourValue& color = colors[static_cast<std::size_t>(axis)];

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "scan_to_path_ros/path_drawing.h"
 
@@ -40,7 +41,6 @@ public:
   ~PathScene();
 
 private:
-  std::unique_ptr<rviz::BillboardLine> makeLines(std::size_t lines, std::size_t most_points, float width);
   void addStrips(const scan_to_path_ros::PathDrawing& drawing, const PathLook& look);
   void addArrows(const scan_to_path_ros::PathDrawing& drawing, const PathLook& look);
   void addFrames(const scan_to_path_ros::PathDrawing& drawing, const PathLook& look);
@@ -48,9 +48,7 @@ private:
 
   Ogre::SceneManager* scene_;
   Ogre::SceneNode* node_;
-  std::unique_ptr<rviz::BillboardLine> strips_;
-  std::unique_ptr<rviz::BillboardLine> arrows_;
-  std::unique_ptr<rviz::BillboardLine> frames_;
+  std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::unique_ptr<rviz::PointCloud> marks_;
 };
 
