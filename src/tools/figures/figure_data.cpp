@@ -181,9 +181,9 @@ FigureData makeFigureData(pipeline::JobOptions options, const std::vector<std::f
   data.detail = detailOf(fitted.scan, data.filtered);
   data.normals = compareNormals(fitted.scan, options.fit);
   const auto planner = pipeline::makePlanner("cutting", options);
-  const auto path = pipeline::pathStage(*planner, fitted.scan, options.cell.base_link, options, {});
-  const auto motion = pipeline::motionStage(path, data.cell, options, {});
-  data.row = playBackRow(path.planned.path, motion.plan.trajectory, data.cell);
+  data.path = pipeline::pathStage(*planner, fitted.scan, options.cell.base_link, options, {});
+  data.motion = pipeline::motionStage(data.path, data.cell, options, {});
+  data.row = playBackRow(data.path.planned.path, data.motion.plan.trajectory, data.cell);
   data.raw = *scanned.cloud;
   return data;
 }

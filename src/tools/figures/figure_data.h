@@ -49,6 +49,8 @@ struct FigureData {
   std::vector<std::vector<Vector3>> outline;  ///< closed polygons on the surface, in base_link [m]
   FitDetail detail;
   NormalComparison normals;
+  pipeline::PathStage path;
+  pipeline::MotionStage motion;
   RowPlayback row;
 };
 

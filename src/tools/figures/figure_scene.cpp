@@ -9,6 +9,7 @@
 #include "figure_messages.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path_ros/conversions.h"
 #include "scan_to_path_ros/parameters.h"
 
 namespace scan_to_path::tools {
@@ -91,6 +92,15 @@ void publishRow(const FigureData& data, const std::string& base, Publisher& publ
                                    data.options.cell.tip_link));
 }
 
+/// What a cell's own nodelets publish of a job, as rviz/cell.rviz shows it.
+void publishJob(const FigureData& data, const std::string& base, Publisher& publisher) {
+  std_msgs::Header header;
+  header.frame_id = base;
+  publisher.publish("scan_cloud", toCloud(data.raw, base));
+  publisher.publish("tool_path", scan_to_path_ros::toMsg(data.path.planned.path, header));
+  publisher.publish("motion_plan", scan_to_path_ros::toMsg(data.motion, header));
+}
+
 std::vector<geometry_msgs::TransformStamped> cellFrames(const FigureData& data, const std::string& urdf) {
   const auto& cell = data.options.cell;
   auto frames = linkFrames(urdf, data.cell.robot, data.row.joints);
@@ -115,6 +125,7 @@ void run() {
   publishClouds(data, options.cell.base_link, publisher);
   publishNormals(data.normals, options.cell.base_link, publisher);
   publishRow(data, options.cell.base_link, publisher);
+  publishJob(data, options.cell.base_link, publisher);
   ros::spin();
 }
 
