@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 scan_to_path developers
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -28,10 +31,12 @@ const QColor marker_green(0, 158, 115);
 const QColor marker_vermilion(214, 94, 0);
 const QColor vermilion(213, 94, 0);
 const QColor amber(230, 159, 0);
+const QColor path_blue(30, 120, 255);
+const QColor scan_grey(190, 190, 190);
 
 struct Figure {
   std::string name;                     ///< of rviz/<name>.rviz and of <name>.png beside this file
-  std::string views;                    ///< snapshot's --view and --columns
+  std::string options;                  ///< snapshot's --view, --columns and --disable
   std::vector<DisplayColour> displays;  ///< the main display first
 };
 
@@ -52,6 +57,12 @@ const std::vector<Figure> figures = {
      {{"Planned row", amber, amber},
       {"Robot", QColor(255, 107, 27), QColor(120, 45, 10)},
       {"Played back", marker_blue, marker_blue.darker(300)}}},
+    // What comes while a scan runs, and what only a job with a region has, is not shown.
+    {"cell",
+     "--view cell --view part --disable 'Scan, live' --disable Region",
+     {{"Tool path", path_blue, path_blue.darker(120)},
+      {"Robot", QColor(255, 107, 27), QColor(120, 45, 10)},
+      {"Scan", scan_grey, scan_grey.darker(150)}}},
 };
 
 const std::filesystem::path source = SCAN_TO_PATH_SOURCE_DIR;
@@ -72,14 +83,33 @@ int snapshot(const std::string& arguments, const std::string& errors = "") {
 
 std::string configOf(const Figure& figure) { return (source / "rviz" / (figure.name + ".rviz")).string(); }
 
-/// The figure as it is drawn now; null when it is not.
+/// For a picture [s]; of a processor's time, as others may be busy with theirs.
+constexpr double longest = 2.0;
+
+/// Of all programs that this one has waited for [s].
+double processorTime() {
+  rusage usage = {};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// The figure as it is drawn now; null when it is not. Says how long it took.
 QImage draw(const Figure& figure, const std::string& options = "") {
   const auto file = pictureFile(figure, "");
+  const auto begin = std::chrono::steady_clock::now();
+  const double processor_begin = processorTime();
   std::filesystem::remove(file);
   // On a machine that builds at the same time the scene may take its time to come up; drawing itself takes no second.
   const int status = snapshot("--config " + configOf(figure) + " --out " + file.string() + " --timeout 60 " +
-                              figure.views + " " + options);
+                              figure.options + " " + options);
   EXPECT_EQ(status, 0);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double processor_seconds = processorTime() - processor_begin;
+  std::printf("%s: %.2f s, %.2f s of a processor's\n", figure.name.c_str(), seconds, processor_seconds);
+  EXPECT_LT(processor_seconds, longest);
   const QImage picture(QString::fromStdString(file.string()));
   std::filesystem::remove(file);
   return picture;
