@@ -13,6 +13,7 @@ import unittest
 import genpy
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from scan_to_path.msg import PlaybackDeviation
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Empty
@@ -47,6 +48,15 @@ def run_job(out, *arguments, configuration=cell.QUICK):
                           capture_output=True, text=True, timeout=60, check=False)
 
 
+def of_playback(message):
+    return next((status for status in message.status if "trajectory_player: playback" in status.name), None)
+
+
+def is_at_the_end(message):
+    status = of_playback(message)
+    return status is not None and status.message == "at the end"
+
+
 class CellReplay(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -55,8 +65,11 @@ class CellReplay(unittest.TestCase):
         cls.joints = cell.Listener("/cell/joint_states", JointState)
         cell.wait_until(cls.joints.find, 20.0, "the robot before any scan")
         cls.joints.close()
+        cls.diagnostics = cell.Listener("/diagnostics", DiagnosticArray)
         cls.deviation = cell.Listener("/cell/playback_deviation", PlaybackDeviation)
         cls.live = run_job(cls.directory / "live", "--play")
+        if cls.live.returncode == 0:  # the next job stops the player
+            cell.wait_until(lambda: cls.diagnostics.find(is_at_the_end), 5.0, "diagnostics of the playback")
         stop = rospy.ServiceProxy("/cell/scan_recorder/stop", Trigger)
         cls.stopped, cls.stopped_again = stop(), stop()
 
@@ -76,6 +89,13 @@ class CellReplay(unittest.TestCase):
         self.assertGreater(last.position_largest, 0.0)
         self.assertLessEqual(last.position_largest, POSITION)
         self.assertLessEqual(last.angle_largest, ANGLE)
+
+    def test_diagnostics_say_how_the_playback_went(self):
+        _, last = self.deviation.find(lambda message: message.finished)
+        status = of_playback(self.diagnostics.find(is_at_the_end)[1])
+        values = {value.key: value.value for value in status.values}
+        self.assertEqual(status.level, 0)
+        self.assertEqual((values["waypoints"], values["waypoints without a transform"]), (str(last.waypoints), "0"))
 
     def test_a_recording_stops_once(self):
         self.assertEqual((self.stopped.success, self.stopped.message), (True, str(BAG)))
