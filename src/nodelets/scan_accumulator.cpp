@@ -34,14 +34,15 @@ class ScanAccumulator : public nodelet::Nodelet {
     live_ = nodes.advertise<Cloud>("scan_points", 100);
     acknowledged_ = nodes.advertise<std_msgs::Header>("scan_acknowledged", 10);
     recording_told_ = nodes.advertise<std_msgs::Bool>("scan_recording", 1, true);
-    start_ = nodes.advertiseService("scan_accumulator/start", &ScanAccumulator::start, this);
-    stop_ = nodes.advertiseService("scan_accumulator/stop", &ScanAccumulator::stop, this);
-    finish_ = nodes.advertiseService("scan_accumulator/finish", &ScanAccumulator::finish, this);
     transforms_ = nodes.subscribe("/tf", 20000, &ScanAccumulator::addTransforms, this);
     static_transforms_ = nodes.subscribe("/tf_static", 100, &ScanAccumulator::addStaticTransforms, this);
     samples_ = nodes.subscribe("scan_samples", 20000, &ScanAccumulator::addSamples, this);
     live_timer_ = nodes.createWallTimer(ros::WallDuration(live_period), &ScanAccumulator::publishLive, this);
     setRecording(false);
+    // Last: who finds them may start a scan at once.
+    start_ = nodes.advertiseService("scan_accumulator/start", &ScanAccumulator::start, this);
+    stop_ = nodes.advertiseService("scan_accumulator/stop", &ScanAccumulator::stop, this);
+    finish_ = nodes.advertiseService("scan_accumulator/finish", &ScanAccumulator::finish, this);
   }
 
   /// Latched: whoever moves a real robot knows by it when to begin.
@@ -119,6 +120,7 @@ class ScanAccumulator : public nodelet::Nodelet {
 
   void addStaticTransforms(const tf2_msgs::TFMessageConstPtr& message) {
     for (const auto& transform : message->transforms) placer_.addTransform(transform, true);
+    acknowledge();
   }
 
   void addSamples(const scan_to_path::ScanSamplesConstPtr& samples) {

@@ -60,7 +60,7 @@ void SamplePlacer::addTransform(const geometry_msgs::TransformStamped& transform
     went_back_ = went_back;
     giveUp("clock went back");
   }
-  if (!is_static) placeWaiting();
+  placeWaiting();
 }
 
 void SamplePlacer::check(const core::ScanSamples& samples) const {

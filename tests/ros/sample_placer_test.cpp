@@ -83,6 +83,17 @@ TEST_F(SamplePlacerTest, WaitsForLateTransforms) {
   expectAllCounted();
 }
 
+/// An emulator that waits for the acknowledgement says nothing more.
+TEST_F(SamplePlacerTest, PlacesWhatWaitedForTheMount) {
+  addReadings(0, 10);
+  placer_.addSamples(MovingSensor::samples(0.02, {0.0, 0.001}, {0.10, 0.11}));
+  EXPECT_EQ(placed(), 0U);
+  addMount();
+  ASSERT_EQ(placed(), 2U);
+  expectPoint(1, 0.021, 0.11);
+  EXPECT_EQ(placer_.acknowledged(), MovingSensor::stamp(0.021));
+}
+
 TEST_F(SamplePlacerTest, TakesTransformsOutOfOrder) {
   addMount();
   addReadings(0, 1);
