@@ -23,19 +23,10 @@ import unittest
 
 import jsonschema
 
-EXECUTABLE = pathlib.Path(sys.argv[1]).resolve()
-SOURCE = pathlib.Path(sys.argv[2]).resolve()
-del sys.argv[1:3]
-# A strip of the S part in 2 s of computing: the raster's options keep it small.
-SMALL = ["--set", "emulate.raster.pitch=0.02", "--set", "emulate.sample_rate=500", "--set", "emulate.joint_rate=500"]
+from executable import EXECUTABLE, SMALL, run, write_plate
 
-
+SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
 INTERRUPTED = "scan_to_path: interrupted; nothing was written\r\n"
-
-
-def run(*arguments, **keywords):
-    return subprocess.run([str(EXECUTABLE), *map(str, arguments)], capture_output=True, text=True, timeout=120,
-                          check=False, **keywords)
 
 
 def no_room():
@@ -125,9 +116,7 @@ class CommandLine(unittest.TestCase):
         self.assertIn("noise_sigma: 2e-06", done.stdout)
 
     def test_an_explicit_raster_height_wins_over_the_parts(self):
-        part = self.root / "plate.off"
-        corners = [(x, y, 0.1) for y in (0, 0.02) for x in (0, 0.05)]
-        part.write_text("OFF\n4 2 0\n" + "".join("%g %g %g\n" % corner for corner in corners) + "3 0 1 3\n3 0 3 2\n")
+        part = write_plate(self.root / "plate.off", 0.1, size=(0.05, 0.02))
         pose = ["--workpiece-pose", "0.85 -0.08 0.35 0 0 0"]
 
         def height(*flags):
