@@ -110,9 +110,8 @@ private:
   }
 
   void reference() {
-    output_.setFigures(
-        compareWithReference(path_.planned.path, fit_.scan, options_.path, *request_.reference, regionOf(options_),
-                             request_.threads));
+    output_.setFigures(compareWithReference(path_.planned, fit_.scan, options_.path, *request_.reference,
+                                            regionOf(options_), request_.threads));
     timing_.mark("reference");
   }
 

@@ -58,22 +58,38 @@ std::vector<geometry::SurfacePoint> machinedPoints(const scan::FittedScan& scan,
   return points;
 }
 
+/// Without the passes that leave stock on the surface.
+toolpath::ToolPath lastPass(const process::PlannedPath& planned) {
+  toolpath::ToolPath last = planned.path;
+  last.segments.clear();
+  for (std::size_t s = 0; s < planned.path.segments.size(); ++s) {
+    if (planned.allowances[s] == 0.0) last.segments.push_back(planned.path.segments[s]);
+  }
+  return last;
+}
+
+/// None of a partial path that has lost its last pass.
+std::vector<Accuracy> pathFigures(const toolpath::ToolPath& last_pass, const geometry::Surface& reference) {
+  if (toolpath::travelOf(last_pass).worked <= 0.0) return {};
+  const auto deviation = verification::measureDeviation(last_pass, reference);
+  return {{"reference_path_rms", deviation.rms, "m"},
+          {"reference_path_mean", deviation.mean, "m"},
+          {"reference_path_largest", deviation.largest, "m"},
+          {"reference_normal_mean", deviation.normal_mean, "rad"},
+          {"reference_normal_largest", deviation.normal_largest, "rad"},
+          {"reference_contacts", static_cast<double>(deviation.contacts), "1"}};
+}
+
 }  // namespace
 
-std::vector<Accuracy> compareWithReference(const toolpath::ToolPath& path, const scan::FittedScan& scan,
+std::vector<Accuracy> compareWithReference(const process::PlannedPath& planned, const scan::FittedScan& scan,
                                            const process::CuttingOptions& options, const geometry::Surface& reference,
                                            const toolpath::Region& region, int threads) {
-  const auto deviation = verification::measureDeviation(path, reference);
-  std::vector<Accuracy> figures = {{"reference_path_rms", deviation.rms, "m"},
-                                   {"reference_path_mean", deviation.mean, "m"},
-                                   {"reference_path_largest", deviation.largest, "m"},
-                                   {"reference_normal_mean", deviation.normal_mean, "rad"},
-                                   {"reference_normal_largest", deviation.normal_largest, "rad"},
-                                   {"reference_contacts", static_cast<double>(deviation.contacts), "1"}};
+  std::vector<Accuracy> figures = pathFigures(lastPass(planned), reference);
   const double direction = options.row_source == process::RowSource::surface ? options.direction : 0.0;
   const auto points = machinedPoints(scan, direction, options.edge_margin, region, reference);
   if (points.empty()) return figures;
-  const auto scallop = verification::checkScallops(path, options.ball_radius, points, highest_cusp, threads);
+  const auto scallop = verification::checkScallops(planned.path, options.ball_radius, points, highest_cusp, threads);
   figures.push_back({"reference_scallop_largest", scallop.highest, "m"});
   figures.push_back({"reference_scallop_mean", scallop.mean, "m"});
   figures.push_back({"reference_deepest_cut", scallop.deepest_cut, "m"});

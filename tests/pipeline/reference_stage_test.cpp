@@ -26,8 +26,8 @@ protected:
     reference_ = std::make_shared<geometry::PosedSurface>(std::make_shared<geometry::Saddle>(smallPart()),
                                                           cell.T_base_workpiece);
   }
-  toolpath::ToolPath planned(const JobOptions& options) const {
-    return pathStage(*makePlanner("cutting", options), scan_, "base_link", options, {}).planned.path;
+  process::PlannedPath planned(const JobOptions& options) const {
+    return pathStage(*makePlanner("cutting", options), scan_, "base_link", options, {}).planned;
   }
 
   scan::FittedScan scan_;
@@ -46,10 +46,54 @@ TEST_F(ReferenceStage, MeasuresPathNormalsAndScallops) {
   EXPECT_LT(valueOf(figures, "reference_deepest_cut"), 5e-6);
 }
 
+TEST_F(ReferenceStage, MeasuresTheLastPassOverStockAlone) {
+  JobOptions options;
+  const auto without_stock = compareWithReference(planned(options), scan_, options.path, *reference_, {}, 1);
+  options.path.stock = 2e-3;  // two passes, the first 1 mm above the part
+  const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, {}, 1);
+  EXPECT_EQ(valueOf(figures, "reference_contacts"), valueOf(without_stock, "reference_contacts"));
+  // The last pass is the path without stock, snapped to the digits of path.csv, 1 nm.
+  EXPECT_NEAR(valueOf(figures, "reference_path_rms"), valueOf(without_stock, "reference_path_rms"), 1e-9);
+  EXPECT_NEAR(valueOf(figures, "reference_path_largest"), valueOf(without_stock, "reference_path_largest"), 1e-9);
+}
+
+TEST_F(ReferenceStage, SeesALastPassThatIsOffAndACutOfAnEarlierOne) {
+  JobOptions options;
+  options.path.stock = 2e-3;
+  for (const std::string pass : {"pass_0_row_7", "pass_1_row_7"}) {
+    auto path = planned(options);
+    for (auto& segment : path.path.segments) {
+      if (segment.name != pass) continue;
+      // The first pass is 1 mm above the part: it would cut 0.1 mm deep.
+      for (auto& waypoint : segment.waypoints)
+        waypoint.pose.translation().z() -= pass == "pass_0_row_7" ? 1.1e-3 : 1e-4;
+    }
+    const auto figures = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
+    // Slopes up to 0.3 make the distance along the normal a twentieth less than that along z.
+    EXPECT_NEAR(valueOf(figures, "reference_deepest_cut"), 1e-4, 1e-5) << pass;
+    const double largest = valueOf(figures, "reference_path_largest");
+    EXPECT_NEAR(largest, pass == "pass_0_row_7" ? 0.0 : 1e-4, 1e-5) << pass;
+  }
+}
+
+// As a partial path may be: what an earlier pass leaves is on purpose, not off the part.
+TEST_F(ReferenceStage, EarlierPassesAloneHaveNoDeviation) {
+  JobOptions options;
+  options.path.stock = 2e-3;
+  auto path = planned(options);
+  for (std::size_t s = 0; s < path.path.segments.size(); ++s) {
+    if (path.allowances[s] > 0.0) continue;
+    for (auto& waypoint : path.path.segments[s].waypoints) waypoint.process_on = false;
+  }
+  const auto figures = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
+  EXPECT_THROW(valueOf(figures, "reference_path_rms"), std::runtime_error);
+  EXPECT_GT(valueOf(figures, "reference_uncut_share"), 0.5);
+}
+
 TEST_F(ReferenceStage, SeesADroppedRow) {
   const JobOptions options;
   auto path = planned(options);
-  for (auto& segment : path.segments) {
+  for (auto& segment : path.path.segments) {
     if (segment.name == "row_7") {
       for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
     }
