@@ -34,6 +34,7 @@ public:
     if (reaches(Stage::path)) path();
     if (reaches(Stage::motion)) motion();
     if (request_.reference && reaches(Stage::path)) reference();
+    if (reaches(Stage::motion)) trajectory();
     input();
     if (reaches(Stage::program)) program();
     if (!stages_.accepts(progress_)) throw Rejected();
@@ -82,15 +83,6 @@ private:
     output_.setPath(driven_.planned.path, motion_.verdicts);
     if (request_.allow_partial && !output_.hasFailedTolerance()) partial();
     take(motion_.report, motion_.accuracy, motion_.notes);
-    if (output_.isBlocked()) {
-      output_.addNote("no trajectory and no program written: see what failed");
-      return;
-    }
-    output_.addFile("trajectory.csv", motion::formatTrajectory(motion_.plan.trajectory));
-    if (options_.program.dry_offset > 0.0) {
-      output_.addNote("air run: path, trajectory, pulses and program are lifted by " +
-                      fixed(1e3 * options_.program.dry_offset, 1) + " mm, the process stays off");
-    }
   }
 
   /// Goes on with what is left of the path when the waypoints that fail on the part are left out.
@@ -110,9 +102,21 @@ private:
   }
 
   void reference() {
-    output_.setFigures(compareWithReference(path_.planned, fit_.scan, options_.path, *request_.reference,
-                                            regionOf(options_), request_.threads));
+    output_.setFigures(compareWithReference(path_.planned, fit_.scan, options_, *request_.reference, request_.threads));
     timing_.mark("reference");
+  }
+
+  /// Last, so that nothing of it is written when the reference says that the path is not good enough.
+  void trajectory() {
+    if (output_.isBlocked()) {
+      output_.addNote("no trajectory and no program written: see what failed");
+      return;
+    }
+    output_.addFile("trajectory.csv", motion::formatTrajectory(motion_.plan.trajectory));
+    if (options_.program.dry_offset > 0.0) {
+      output_.addNote("air run: path, trajectory, pulses and program are lifted by " +
+                      fixed(1e3 * options_.program.dry_offset, 1) + " mm, the process stays off");
+    }
   }
 
   /// A robot moves on what is written here: nothing is while a waypoint, a tolerance or a read-back fails.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scan_to_path/pipeline/path_stage.h"
 #include "scan_to_path/scan/outline.h"
 #include "scan_to_path/verification/path_deviation.h"
 #include "scan_to_path/verification/scallop_check.h"
@@ -69,12 +70,13 @@ toolpath::ToolPath lastPass(const process::PlannedPath& planned) {
 }
 
 /// None of a partial path that has lost its last pass.
-std::vector<Accuracy> pathFigures(const toolpath::ToolPath& last_pass, const geometry::Surface& reference) {
+std::vector<Accuracy> pathFigures(const toolpath::ToolPath& last_pass, const geometry::Surface& reference,
+                                  const ReportOptions& limits) {
   if (toolpath::travelOf(last_pass).worked <= 0.0) return {};
   const auto deviation = verification::measureDeviation(last_pass, reference);
   return {{"reference_path_rms", deviation.rms, "m"},
           {"reference_path_mean", deviation.mean, "m"},
-          {"reference_path_largest", deviation.largest, "m"},
+          {"reference_path_largest", deviation.largest, "m", limitUnlessZero(limits.max_reference_path)},
           {"reference_normal_mean", deviation.normal_mean, "rad"},
           {"reference_normal_largest", deviation.normal_largest, "rad"},
           {"reference_contacts", static_cast<double>(deviation.contacts), "1"}};
@@ -83,16 +85,17 @@ std::vector<Accuracy> pathFigures(const toolpath::ToolPath& last_pass, const geo
 }  // namespace
 
 std::vector<Accuracy> compareWithReference(const process::PlannedPath& planned, const scan::FittedScan& scan,
-                                           const process::CuttingOptions& options, const geometry::Surface& reference,
-                                           const toolpath::Region& region, int threads) {
-  std::vector<Accuracy> figures = pathFigures(lastPass(planned), reference);
-  const double direction = options.row_source == process::RowSource::surface ? options.direction : 0.0;
-  const auto points = machinedPoints(scan, direction, options.edge_margin, region, reference);
+                                           const JobOptions& options, const geometry::Surface& reference, int threads) {
+  const process::CuttingOptions& cutting = options.path;
+  const ReportOptions& limits = options.report;
+  std::vector<Accuracy> figures = pathFigures(lastPass(planned), reference, limits);
+  const double direction = cutting.row_source == process::RowSource::surface ? cutting.direction : 0.0;
+  const auto points = machinedPoints(scan, direction, cutting.edge_margin, regionOf(options), reference);
   if (points.empty()) return figures;
-  const auto scallop = verification::checkScallops(planned.path, options.ball_radius, points, highest_cusp, threads);
-  figures.push_back({"reference_scallop_largest", scallop.highest, "m"});
+  const auto scallop = verification::checkScallops(planned.path, cutting.ball_radius, points, highest_cusp, threads);
+  figures.push_back({"reference_scallop_largest", scallop.highest, "m", limitUnlessZero(limits.max_reference_scallop)});
   figures.push_back({"reference_scallop_mean", scallop.mean, "m"});
-  figures.push_back({"reference_deepest_cut", scallop.deepest_cut, "m"});
+  figures.push_back({"reference_deepest_cut", scallop.deepest_cut, "m", limitUnlessZero(limits.max_reference_cut)});
   figures.push_back(
       {"reference_uncut_share", static_cast<double>(scallop.uncut) / static_cast<double>(scallop.points), "1"});
   return figures;

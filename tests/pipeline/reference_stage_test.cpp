@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "scan_to_path/geometry/scene.h"
 #include "scan_to_path/pipeline/stages.h"
 #include "small_scan.h"
@@ -36,7 +38,7 @@ protected:
 
 TEST_F(ReferenceStage, MeasuresPathNormalsAndScallops) {
   const JobOptions options;
-  const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, {}, 1);
+  const auto figures = compareWithReference(planned(options), scan_, options, *reference_, 1);
   // 2 um of noise over 1,200 samples and about ten control points a row.
   EXPECT_LT(valueOf(figures, "reference_path_rms"), 1e-6);
   EXPECT_LT(valueOf(figures, "reference_normal_mean"), 0.02 * M_PI / 180.0);
@@ -48,9 +50,9 @@ TEST_F(ReferenceStage, MeasuresPathNormalsAndScallops) {
 
 TEST_F(ReferenceStage, MeasuresTheLastPassOverStockAlone) {
   JobOptions options;
-  const auto without_stock = compareWithReference(planned(options), scan_, options.path, *reference_, {}, 1);
+  const auto without_stock = compareWithReference(planned(options), scan_, options, *reference_, 1);
   options.path.stock = 2e-3;  // two passes, the first 1 mm above the part
-  const auto figures = compareWithReference(planned(options), scan_, options.path, *reference_, {}, 1);
+  const auto figures = compareWithReference(planned(options), scan_, options, *reference_, 1);
   EXPECT_EQ(valueOf(figures, "reference_contacts"), valueOf(without_stock, "reference_contacts"));
   // The last pass is the path without stock, snapped to the digits of path.csv, 1 nm.
   EXPECT_NEAR(valueOf(figures, "reference_path_rms"), valueOf(without_stock, "reference_path_rms"), 1e-9);
@@ -68,12 +70,36 @@ TEST_F(ReferenceStage, SeesALastPassThatIsOffAndACutOfAnEarlierOne) {
       for (auto& waypoint : segment.waypoints)
         waypoint.pose.translation().z() -= pass == "pass_0_row_7" ? 1.1e-3 : 1e-4;
     }
-    const auto figures = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
+    const auto figures = compareWithReference(path, scan_, options, *reference_, 1);
     // Slopes up to 0.3 make the distance along the normal a twentieth less than that along z.
     EXPECT_NEAR(valueOf(figures, "reference_deepest_cut"), 1e-4, 1e-5) << pass;
     const double largest = valueOf(figures, "reference_path_largest");
     EXPECT_NEAR(largest, pass == "pass_0_row_7" ? 0.0 : 1e-4, 1e-5) << pass;
   }
+}
+
+TEST_F(ReferenceStage, HoldsTheFiguresToTheirLimits) {
+  JobOptions options;
+  auto path = planned(options);
+  for (auto& segment : path.path.segments) {
+    for (auto& waypoint : segment.waypoints) waypoint.pose.translation().z() -= 3e-4;  // 0.29 mm along the normal
+  }
+  const auto failing = [&] {
+    std::set<std::string> names;
+    for (const auto& figure : compareWithReference(path, scan_, options, *reference_, 1)) {
+      if (!figure.pass()) names.insert(figure.name);
+    }
+    return names;
+  };
+  using Names = std::set<std::string>;
+  EXPECT_EQ(failing(), (Names{"reference_path_largest", "reference_deepest_cut"}));
+  options.report.max_reference_path = options.report.max_reference_cut = 3.1e-4;
+  EXPECT_EQ(failing(), Names{});
+  options.report.max_reference_path = options.report.max_reference_cut = 0.0;  // none
+  EXPECT_EQ(failing(), Names{});
+  path = planned(options);
+  options.report.max_reference_scallop = 0.8 * options.path.scallop_height;
+  EXPECT_EQ(failing(), Names{"reference_scallop_largest"});
 }
 
 // As a partial path may be: what an earlier pass leaves is on purpose, not off the part.
@@ -85,7 +111,7 @@ TEST_F(ReferenceStage, EarlierPassesAloneHaveNoDeviation) {
     if (path.allowances[s] > 0.0) continue;
     for (auto& waypoint : path.path.segments[s].waypoints) waypoint.process_on = false;
   }
-  const auto figures = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
+  const auto figures = compareWithReference(path, scan_, options, *reference_, 1);
   EXPECT_THROW(valueOf(figures, "reference_path_rms"), std::runtime_error);
   EXPECT_GT(valueOf(figures, "reference_uncut_share"), 0.5);
 }
@@ -98,15 +124,15 @@ TEST_F(ReferenceStage, SeesADroppedRow) {
       for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
     }
   }
-  const auto figures = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
+  const auto figures = compareWithReference(path, scan_, options, *reference_, 1);
   EXPECT_GT(valueOf(figures, "reference_scallop_largest"), 3.0 * options.path.scallop_height);
 }
 
 TEST_F(ReferenceStage, SameForAnyNumberOfThreads) {
   const JobOptions options;
   const auto path = planned(options);
-  const auto one = compareWithReference(path, scan_, options.path, *reference_, {}, 1);
-  const auto three = compareWithReference(path, scan_, options.path, *reference_, {}, 3);
+  const auto one = compareWithReference(path, scan_, options, *reference_, 1);
+  const auto three = compareWithReference(path, scan_, options, *reference_, 3);
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].value, three[i].value) << one[i].name;
 }
 

@@ -41,6 +41,9 @@ struct ReportOptions {
   double max_between_rows = 5e-5;
   double max_unseen_share = 0.05;
   double note_unseen_share = 0.01;
+  double max_reference_path = 2e-4;
+  double max_reference_cut = 2e-4;
+  double max_reference_scallop = 0.0;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -58,6 +61,12 @@ struct ReportOptions {
           Field{"max_unseen_share", "", "share of the part's rows that may not be seen: see unseen_share; more where they are holes", 0.0, 1.0});
     visit(self.note_unseen_share,
           Field{"note_unseen_share", "", "a larger share of rows that was not seen is noted: see unseen_share", 0.0, 1.0});
+    visit(self.max_reference_path,
+          Field{"max_reference_path", "m", "largest distance of the path from plan --reference; 0: no limit", 0.0, 1.0});
+    visit(self.max_reference_cut,
+          Field{"max_reference_cut", "m", "deepest cut into plan --reference; 0: no limit", 0.0, 1.0});
+    visit(self.max_reference_scallop,
+          Field{"max_reference_scallop", "m", "largest scallop left on plan --reference; 0: no limit, as rows along an edge leave more than path.scallop_height there", 0.0, 1.0});
   }
 };
 

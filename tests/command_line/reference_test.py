@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 scan_to_path developers
+# SPDX-License-Identifier: Apache-2.0
+"""plan --reference: what it takes as the true surface, and what it says of a path that is off it.
+
+usage: reference_test.py EXECUTABLE
+"""
+import json
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+from executable import SMALL, run, write_plate
+
+
+class Reference(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.root = pathlib.Path(tempfile.mkdtemp(prefix="scan_to_path_"))
+        cls.plate = write_plate(cls.root / "plate.off")
+        cls.log = cls.root / "plate.csv"
+        done = run("emulate", "--workpiece", cls.plate, *SMALL, "--out", cls.log)
+        assert done.returncode == 0, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.root)
+
+    def plan(self, *arguments):
+        return run("plan", "--input", self.log, "--out", self.root / "out", *arguments)
+
+    def accuracy(self):
+        return json.loads((self.root / "out/report.json").read_text())["accuracy"]
+
+    def test_another_part_fails_the_job(self):
+        done = self.plan("--reference", "s_part")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        figure = self.accuracy()["reference_path_largest"]
+        # The S part rises 21 mm over the plate, and nearest points are nearer than what lies straight below.
+        self.assertTrue(0.015 < figure["value"] < 0.021, figure)
+        self.assertIn("FAILED    reference_path_largest is ", done.stdout)
+        names = {path.name for path in (self.root / "out").iterdir()}
+        self.assertEqual(names, {"path.csv", "report.json", "timing.json"})
+
+    def test_without_limits_it_is_measured_only(self):
+        limits = ("path", "cut", "scallop")
+        done = self.plan("--reference", "s_part", *(flag for name in limits
+                                                    for flag in ("--set", f"report.max_reference_{name}=0")))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue((self.root / "out/program.mod").exists())
+        self.assertGreater(self.accuracy()["reference_path_largest"]["value"], 0.015)
+
+    def test_the_part_itself_passes_with_stock_too(self):
+        for flags in ([], ["--set", "path.stock=2e-3"]):
+            done = self.plan("--reference", self.plate, "--stop-after", "path", *flags)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            # No errors but the encoders' and the log's digits: below a micrometre.
+            self.assertLess(self.accuracy()["reference_path_largest"]["value"], 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
