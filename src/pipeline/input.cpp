@@ -46,7 +46,8 @@ InputKind detectInput(std::string_view content, const std::string& name) {
   throw InputError(name + ": is none of sample log, PCD, PLY, STL, OBJ, OFF, STEP, IGES, BREP; say which with --input-kind");
 }
 
-void checkPlausibleSize(const Eigen::AlignedBox3d& bounds, Units units, const std::string& name) {
+void checkPlausibleSize(const Eigen::AlignedBox3d& bounds, Units units, const std::string& name,
+                        const std::string& flag) {
   const double diagonal = bounds.diagonal().norm();
   if (diagonal >= min_diagonal && diagonal <= max_diagonal) return;
   std::string suggestion;
@@ -54,11 +55,11 @@ void checkPlausibleSize(const Eigen::AlignedBox3d& bounds, Units units, const st
     const double size = diagonal / metresPerUnit(units) * metresPerUnit(other);
     if (other != units && size >= min_diagonal && size <= max_diagonal) {
       suggestion += std::string(suggestion.empty() ? "; if the file is in " : " or ") + enumName(other) + " (" +
-                    fixed(size, 3) + " m), say --units " + enumName(other);
+                    fixed(size, 3) + " m), say " + flag + " " + enumName(other);
     }
   }
   throw InputError(name + ": part measures " + fixed(diagonal, 6) + " m across, expected 0.005 m to 20 m" + suggestion +
-                   (suggestion.empty() ? "; say --units to insist" : ""));
+                   (suggestion.empty() ? "; say " + flag + " to insist" : ""));
 }
 
 }  // namespace scan_to_path::pipeline

@@ -16,13 +16,13 @@ constexpr double s_part_table = -0.024;  // [m], spec of the S part
 }  // namespace
 
 Workpiece readWorkpiece(const std::filesystem::path& file, std::optional<pipeline::Units> units,
-                        std::optional<double> scale) {
+                        std::optional<double> scale, const std::string& units_flag) {
   auto mesh = mesh::readMesh(file).mesh;
   const pipeline::Units unit = units.value_or(pipeline::Units::m);
   const double factor = pipeline::metresPerUnit(unit) * scale.value_or(1.0);
   for (auto& vertex : mesh.vertices) vertex *= factor;
   const Eigen::AlignedBox3d bounds = mesh.bounds();
-  if (!units && !scale) pipeline::checkPlausibleSize(bounds, unit, file.filename().string());
+  if (!units && !scale) pipeline::checkPlausibleSize(bounds, unit, file.filename().string(), units_flag);
   return {std::make_shared<mesh::MeshSurface>(std::move(mesh)), bounds};
 }
 

@@ -20,9 +20,10 @@ struct Workpiece {
   Eigen::AlignedBox3d bounds;
 };
 
-/// A mesh file. Throws InputError, also for an implausible size when neither unit nor scale was given.
+/// A mesh file. Throws InputError, also for an implausible size when neither unit nor scale was given; `units_flag` is
+/// what would say the unit.
 Workpiece readWorkpiece(const std::filesystem::path& file, std::optional<pipeline::Units> units,
-                        std::optional<double> scale);
+                        std::optional<double> scale, const std::string& units_flag = "--units");
 
 /// The S part of the seed, which is scanned and compared with when no file is given.
 Workpiece sPart();

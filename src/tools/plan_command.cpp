@@ -22,6 +22,8 @@ struct PlanFlags {
   std::string stop_after = "program";
   std::vector<std::string> controllers;
   std::string reference;
+  std::string reference_units;
+  std::optional<double> reference_scale;
   bool allow_partial = false;
   std::uint64_t seed = 1;
   std::string out;
@@ -38,20 +40,29 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
       ->allow_extra_args(false);
   command.add_flag("--allow-partial", flags.allow_partial,
                    "leave out waypoints that fail and write a program of the rest; exit status stays 1");
-  command
-      .add_option(
-          "--reference", flags.reference,
-          "true surface to measure the finished path against: a mesh in metres in the workpiece frame, or s_part")
-      ->type_name("FILE");
+  CLI::Option* reference =
+      command
+          .add_option("--reference", flags.reference,
+                      "true surface to measure the finished path against: a mesh in the workpiece frame, or s_part; a "
+                      "path too far off it fails the job (report.max_reference_path)")
+          ->type_name("FILE");
+  command.add_option("--reference-units", flags.reference_units, "of the reference mesh: m (default), mm or inch")
+      ->needs(reference);
+  command.add_option("--reference-scale", flags.reference_scale, "factor on the reference mesh's coordinates")
+      ->check(CLI::PositiveNumber)
+      ->needs(reference);
   command.add_option("--seed", flags.seed, "of random choices; in the report")->capture_default_str();
   command.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
   flags.common.addTo(command);
 }
 
-std::shared_ptr<const geometry::Surface> referenceSurface(const std::string& name,
-                                                          const pipeline::MountOptions& mount) {
-  if (name.empty()) return nullptr;
-  const Workpiece part = name == "s_part" ? sPart() : readWorkpiece(name, std::nullopt, std::nullopt);
+std::shared_ptr<const geometry::Surface> referenceSurface(const PlanFlags& flags, const pipeline::MountOptions& mount) {
+  if (flags.reference.empty()) return nullptr;
+  std::optional<pipeline::Units> units;
+  if (!flags.reference_units.empty()) units = parseEnum<pipeline::Units>("--reference-units", flags.reference_units);
+  const Workpiece part = flags.reference == "s_part"
+                             ? sPart()
+                             : readWorkpiece(flags.reference, units, flags.reference_scale, "--reference-units");
   return std::make_shared<geometry::PosedSurface>(part.surface, geometry::makeFrame(mount.xyz, mount.rpy));
 }
 
@@ -71,7 +82,7 @@ pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOpti
   for (const auto& name : flags.controllers)
     request.outputs.push_back(parseEnum<pipeline::Output>("--controller", name));
   request.package_path = flags.common.packagePath();
-  request.reference = referenceSurface(flags.reference, options.cell.workpiece);
+  request.reference = referenceSurface(flags, options.cell.workpiece);
   return request;
 }
 

@@ -58,6 +58,26 @@ class Reference(unittest.TestCase):
             # No errors but the encoders' and the log's digits: below a micrometre.
             self.assertLess(self.accuracy()["reference_path_largest"]["value"], 1e-6)
 
+    def test_a_mesh_in_millimetres_or_inches(self):
+        for unit, metres in (("mm", 1e-3), ("inch", 0.0254)):
+            mesh = write_plate(self.root / "other.off", unit=metres)
+            for flags in (["--reference-units", unit], ["--reference-scale", metres]):
+                done = self.plan("--reference", mesh, "--stop-after", "path", *flags)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertLess(self.accuracy()["reference_path_largest"]["value"], 1e-6)
+
+    def test_a_mesh_of_no_plausible_size_names_its_own_flag(self):
+        mesh = write_plate(self.root / "mm.off", unit=1e-3)
+        done = self.plan("--reference", mesh)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("if the file is in mm (0.288 m), say --reference-units mm", done.stderr)
+        self.assertNotIn("--units", done.stderr)
+        for flags, message in ((["--reference-units", "cm"], "--reference-units: value is 'cm', must be one of m, mm, inch"),
+                               (["--reference-scale", "-1"], "--reference-scale")):
+            done = self.plan("--reference", mesh, *flags)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(message, done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

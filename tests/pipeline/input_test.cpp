@@ -58,6 +58,12 @@ TEST(Input, ImplausibleSizeSuggestsTheUnitThatFits) {
   EXPECT_THAT(error(240.0, Units::m), HasSubstr("if the file is in mm (0.240 m), say --units mm"));
   EXPECT_THAT(error(0.00024, Units::mm), HasSubstr("say --units m"));
   EXPECT_THAT(error(1e9, Units::m), HasSubstr("say --units to insist"));
+  try {
+    checkPlausibleSize({Eigen::Vector3d::Zero(), Eigen::Vector3d(240.0, 0.0, 0.0)}, Units::m, "f", "--other-units");
+    ADD_FAILURE() << "240 m are plausible";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("(0.240 m), say --other-units mm or inch (6.096 m), say --other-units inch"));
+  }
 }
 
 TEST(Input, UnitsAreExact) {

@@ -23,8 +23,10 @@ double metresPerUnit(Units units);
 InputKind detectInput(std::string_view content, const std::string& name);
 
 /// A file without a unit whose part comes out smaller than 5 mm or larger than 20 m was read in the wrong unit.
-/// Throws InputError with the suggestion of a unit that fits. `bounds` in metres as read with `units`.
-void checkPlausibleSize(const Eigen::AlignedBox3d& bounds, Units units, const std::string& name);
+/// Throws InputError with the suggestion of a unit that fits, to be said with `flag`. `bounds` in metres as read with
+/// `units`.
+void checkPlausibleSize(const Eigen::AlignedBox3d& bounds, Units units, const std::string& name,
+                        const std::string& flag = "--units");
 
 }  // namespace scan_to_path::pipeline
 
