@@ -60,6 +60,7 @@ class PointLaserEmulator : public nodelet::Nodelet {
     if (scan_to_path_ros::parameter(getPrivateNodeHandle(), "raster_height_from_mesh", true) && !mesh().empty()) {
       emulation.raster.height = scan_to_path::tools::rasterHeight(world, cell.laser);
     }
+    scan_to_path::tools::checkRasterHeight(world, emulation.raster.height);
     const auto errors = scan_to_path_ros::parameter<std::string>(getPrivateNodeHandle(), "errors", "");
     if (!errors.empty()) {
       const auto set = scan_to_path::parseEnum<scan_to_path::sensing::ErrorSet>("~errors", errors);

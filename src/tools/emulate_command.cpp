@@ -52,7 +52,11 @@ std::string share(std::size_t part, std::size_t whole) {
 void printEvidence(const sensing::EmulatedScan& scan, const std::string& out) {
   const auto& range = scan.range;
   std::printf("emulated  %d rows, %zu samples, %.1f s of scanning\n", scan.rows, range.samples, scan.duration);
-  std::printf("range     nearest %.1f mm, farthest %.1f mm\n", 1e3 * range.nearest, 1e3 * range.farthest);
+  if (range.nothing == range.samples) {
+    std::puts("range     nothing seen: no surface below any sample");
+  } else {
+    std::printf("range     nearest %.1f mm, farthest %.1f mm\n", 1e3 * range.nearest, 1e3 * range.farthest);
+  }
   if (range.too_near + range.too_far > 0) {
     std::printf(
         "note      out of the sensor's range: %s too near, %s too far; if that is the part, sweep it a second time "
@@ -81,6 +85,7 @@ int emulate(const EmulateFlags& flags) {
   }
   if (flags.out.empty()) throw InputError("emulate: --out is missing");
   validate(options, "");
+  checkRasterHeight(world, options.emulate.raster.height);
   const pipeline::Cell cell = pipeline::makeCell(options.cell, flags.common.packagePath());
   sensing::EmulatedScan scan;
   {

@@ -40,6 +40,7 @@ struct WorldOptions {
 struct World {
   std::shared_ptr<const geometry::Surface> scene;
   Eigen::AlignedBox3d bounds;  ///< of the part
+  double top = 0.0;            ///< highest point of part and table [m]
 
   /// What is scanned, in the x-y plane [m].
   Eigen::AlignedBox2d rectangle() const { return {bounds.min().head<2>(), bounds.max().head<2>()}; }
@@ -50,5 +51,9 @@ World makeWorld(const WorldOptions& options);
 
 /// Of the raster over z = 0 [m]: the sensor is carried so that the part's heights lie in the middle of its range.
 double rasterHeight(const World& world, const sensing::PointLaserOptions& laser);
+
+/// Throws InputError for a raster that carries the sensor into the part or the table, or closer than 5 mm over their
+/// highest point: no sensor could be carried there. `height` as emulate.raster.height [m].
+void checkRasterHeight(const World& world, double height);
 
 }  // namespace scan_to_path::tools

@@ -132,12 +132,11 @@ class CommandLine(unittest.TestCase):
         config = self.root / "height.yaml"
         config.write_text(f"emulate: {{raster: {{height: {default}}}}}\n")
         self.assertEqual(height("--config", config), default)
-        # 20 mm below the plate the sensor sees nothing at all.
-        for flags, nearest in (([], "nearest 80.0 mm"), (explicit, "nearest 0.0 mm")):
-            done = run("emulate", "--workpiece", part, *pose, *SMALL, *flags, "--set", "emulate.raster.pitch=0.005",
-                       "--out", self.root / "plate.csv")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn(nearest, done.stdout)
+        scan = ["emulate", "--workpiece", part, *pose, *SMALL, "--set", "emulate.raster.pitch=0.005", "--out",
+                self.root / "plate.csv"]
+        self.assertIn("nearest 80.0 mm", run(*scan).stdout)
+        # 20 mm below the plate.
+        self.assert_refused(run(*scan, *explicit), f"emulate.raster.height is {default:.6f} m, must be at least 0.105000 m")
 
     def test_printed_configuration_reads_back_as_itself(self):
         printed = run("plan", "--print-config", "--set", "path.lead=0.125").stdout
@@ -305,7 +304,8 @@ class CommandLine(unittest.TestCase):
     def test_a_part_out_of_sight_asks_for_another_sweep(self):
         self.assert_refused(self.plan(input=self.emulated_at("0.2"), out="none"), "none of", "no return",
                             "second time with the sensor lower", out="none")
-        self.assert_refused(self.plan(input=self.emulated_at("0.02"), out="none"), "none of", "no return",
+        plate = ["--workpiece", write_plate(self.root / "near.off")]
+        self.assert_refused(self.plan(input=self.emulated_at("0.03", *plate), out="none"), "none of", "no return",
                             "second time with the sensor higher", out="none")
 
     def test_what_must_be_there_is_asked_for_by_name(self):
