@@ -61,8 +61,8 @@ void CommonFlags::addTo(CLI::App& command) {
   command.add_flag("--quiet", quiet, "no progress, no summary; errors only");
 }
 
-pipeline::JobOptions CommonFlags::options(std::set<std::string>* given) const {
-  pipeline::JobOptions options;
+pipeline::JobOptions CommonFlags::options(pipeline::JobOptions defaults, std::set<std::string>* given) const {
+  pipeline::JobOptions options = std::move(defaults);
   const auto fields = pipeline::fieldReferences(options);
   std::set<std::string> set;
   if (!config.empty()) set = pipeline::applyYamlFile(fields, config);

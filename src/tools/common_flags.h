@@ -27,9 +27,9 @@ struct CommonFlags {
 
   void addTo(CLI::App& command);
 
-  /// Default, then --config, then --set, then the flags that name an option themselves. `given`, when not null, gets
+  /// `defaults`, then --config, then --set, then the flags that name an option themselves. `given`, when not null, gets
   /// the paths of what --config and --set say, be it the default or not.
-  pipeline::JobOptions options(std::set<std::string>* given = nullptr) const;
+  pipeline::JobOptions options(pipeline::JobOptions defaults = {}, std::set<std::string>* given = nullptr) const;
 
   /// --package-path, then ROS_PACKAGE_PATH, then this package itself.
   std::vector<std::filesystem::path> packagePath() const;

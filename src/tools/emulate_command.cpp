@@ -31,7 +31,8 @@ void addEmulateFlags(CLI::App& command, EmulateFlags& flags) {
       ->type_name("FILE");
   command.add_option("--units", flags.units, "of the mesh: m (default), mm or inch");
   command.add_option("--scale", flags.scale, "factor on the mesh's coordinates")->check(CLI::PositiveNumber);
-  command.add_option("--errors", flags.errors, "error set: none (default), white or realistic");
+  command.add_option("--errors", flags.errors,
+                     "error set: none (default), white or realistic; single errors of --config and --set win over it");
   command.add_option("--table", flags.table, "height of the table plane in the workpiece frame [m] (S part: -0.024)");
   command.add_flag("--no-table", flags.no_table, "nothing behind the part");
   command.add_option("--seed", flags.seed, "of all random errors (default 1)");
@@ -67,13 +68,12 @@ void printEvidence(const sensing::EmulatedScan& scan, const std::string& out) {
 }
 
 int emulate(const EmulateFlags& flags) {
-  std::set<std::string> given;
-  pipeline::JobOptions options = flags.common.options(&given);
+  pipeline::JobOptions defaults;
   if (!flags.errors.empty()) {
-    options.emulate.errors = sensing::errorPreset(parseEnum<sensing::ErrorSet>("--errors", flags.errors));
-    const auto fields = pipeline::fieldReferences(options);
-    for (const auto& assignment : flags.common.assignments) pipeline::applyAssignment(fields, assignment);
+    defaults.emulate.errors = sensing::errorPreset(parseEnum<sensing::ErrorSet>("--errors", flags.errors));
   }
+  std::set<std::string> given;
+  pipeline::JobOptions options = flags.common.options(defaults, &given);
   if (flags.seed) options.emulate.seed = *flags.seed;
   const World world = makeWorld(worldOptions(flags));
   if (!flags.workpiece.empty() && given.count("emulate.raster.height") == 0) {

@@ -6,6 +6,7 @@
 usage: emulate_test.py EXECUTABLE
 """
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
@@ -69,6 +70,24 @@ class Emulate(unittest.TestCase):
         self.assertIn("nearest 80.0 mm, farthest 80.0 mm", done.stdout)
         self.assertNotIn("nothing seen", done.stdout)
         (self.root / "samples.csv").unlink()
+
+    # Errors and seeds
+
+    def printed(self, key, *flags):
+        text = run("emulate", "--print-config", *flags).stdout
+        return float(re.search(rf"\n +{key}: (\S+)", text).group(1))
+
+    def test_file_wins_over_error_set_and_set_wins_over_file(self):
+        config = self.root / "errors.yaml"
+        config.write_text("emulate: {errors: {spike_rate: 0.125, noise_sigma: 0}}\n")
+        preset = ["--errors", "realistic"]
+        of_set = self.printed("spot_diameter", *preset)
+        self.assertGreater(of_set, 0.0)
+        self.assertEqual(self.printed("spot_diameter", "--config", config, *preset), of_set)
+        self.assertEqual(self.printed("spike_rate", "--config", config, *preset), 0.125)
+        self.assertEqual(self.printed("noise_sigma", "--config", config, *preset), 0.0)
+        assignment = ["--set", "emulate.errors.spike_rate=0.25"]
+        self.assertEqual(self.printed("spike_rate", "--config", config, *assignment, *preset), 0.25)
 
 
 if __name__ == "__main__":
