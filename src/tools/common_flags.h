@@ -14,6 +14,9 @@
 
 namespace scan_to_path::tools {
 
+/// What a seed may be: what the configuration's may.
+inline CLI::Range seedRange() { return CLI::Range(0, 2147483647); }
+
 /// The flags that all subcommands share, and what follows from them.
 struct CommonFlags {
   std::string config;

@@ -35,7 +35,7 @@ void addEmulateFlags(CLI::App& command, EmulateFlags& flags) {
                      "error set: none (default), white or realistic; single errors of --config and --set win over it");
   command.add_option("--table", flags.table, "height of the table plane in the workpiece frame [m] (S part: -0.024)");
   command.add_flag("--no-table", flags.no_table, "nothing behind the part");
-  command.add_option("--seed", flags.seed, "of all random errors (default 1)");
+  command.add_option("--seed", flags.seed, "of all random errors (default 1)")->check(seedRange());
   command.add_option("--out", flags.out, "sample log to write")->type_name("FILE");
   flags.common.addTo(command);
 }

@@ -25,7 +25,7 @@ struct PlanFlags {
   std::string reference_units;
   std::optional<double> reference_scale;
   bool allow_partial = false;
-  std::uint64_t seed = 1;
+  int seed = 1;
   std::string out;
 };
 
@@ -51,7 +51,11 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--reference-scale", flags.reference_scale, "factor on the reference mesh's coordinates")
       ->check(CLI::PositiveNumber)
       ->needs(reference);
-  command.add_option("--seed", flags.seed, "of random choices; in the report")->capture_default_str();
+  command
+      .add_option("--seed", flags.seed,
+                  "of random choices, written to the report; cutting draws no random numbers: it changes nothing else")
+      ->check(seedRange())
+      ->capture_default_str();
   command.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
   flags.common.addTo(command);
 }
@@ -76,7 +80,7 @@ pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOpti
   request.stop_after = parseEnum<pipeline::Stage>("--stop-after", flags.stop_after);
   request.allow_partial = flags.allow_partial;
   request.threads = flags.common.threads;
-  request.seed = flags.seed;
+  request.seed = static_cast<std::uint64_t>(flags.seed);
   request.out = flags.out.empty() ? "out/" + flags.process : flags.out;
   if (!flags.controllers.empty()) request.outputs.clear();
   for (const auto& name : flags.controllers)

@@ -89,6 +89,17 @@ class Emulate(unittest.TestCase):
         assignment = ["--set", "emulate.errors.spike_rate=0.25"]
         self.assertEqual(self.printed("spike_rate", "--config", config, *assignment, *preset), 0.25)
 
+    def test_seeds_are_whole_numbers_from_zero(self):
+        for command in (["emulate", "--out", self.root / "samples.csv"],
+                        ["plan", "--input", self.root / "samples.csv", "--out", self.root / "out"]):
+            for seed in ("-5", "1.5", "2147483648", "x"):
+                done = run(*command, "--seed", seed)
+                self.assert_refused(done, f"--seed: Value {seed} not in range 0 to 2147483647")
+
+    def test_help_of_plan_says_that_its_seed_changes_nothing(self):
+        text = " ".join(run("plan", "--help").stdout.split())
+        self.assertIn("cutting draws no random numbers", text)
+
 
 if __name__ == "__main__":
     unittest.main()
