@@ -20,10 +20,15 @@ namespace {
 constexpr std::size_t longest_key = 80;  // that a message shows
 constexpr std::size_t longest_yaml_message = 200;
 
-std::string at(const std::string& source, const YAML::Node& node) {
-  const int line = node.Mark().line;
-  return line < 0 ? source : source + " line " + std::to_string(line + 1);
-}
+/// Where a text comes from: a file's, by lines, or what --set gives one key.
+struct Source {
+  std::string name;
+  bool has_lines = true;
+
+  /// Lines count from 0.
+  std::string at(int line) const { return line < 0 || !has_lines ? name : name + " line " + std::to_string(line + 1); }
+  std::string at(const YAML::Node& node) const { return at(node.Mark().line); }
+};
 
 std::string shown(const YAML::Node& node) {
   if (node.IsScalar()) return inQuotes(node.Scalar());
@@ -34,8 +39,9 @@ std::string shown(const YAML::Node& node) {
 /// One value from its YAML node, for each type a field may have.
 class Assign {
 public:
-  Assign(const FieldReference& field, const YAML::Node& node, const std::string& source)
-      : field_(field), node_(node), source_(source) {}
+  /// `where` says which key it is, and of what.
+  Assign(const FieldReference& field, const YAML::Node& node, std::string where)
+      : field_(field), node_(node), where_(std::move(where)) {}
 
   void operator()(bool* value) const {
     const std::string text = node_.IsScalar() ? node_.Scalar() : "";
@@ -98,12 +104,12 @@ private:
     return number;
   }
   [[noreturn]] void reject(const std::string& wanted) const {
-    throw InputError(at(source_, node_), field_.path, shown(node_), wanted);
+    throw InputError(where_ + " is " + shown(node_) + ", must be " + wanted);
   }
 
   const FieldReference& field_;
   const YAML::Node& node_;
-  const std::string& source_;
+  std::string where_;
 };
 
 const FieldReference* find(const std::vector<FieldReference>& fields, const std::string& path) {
@@ -130,16 +136,23 @@ bool isSection(const std::vector<FieldReference>& fields, const std::string& pat
   throw InputError(where + ": unknown key " + escaped(path, longest_key) + ", did you mean " + nearest + "?");
 }
 
+/// --set names a section: shows how its first value is named.
+[[noreturn]] void isNoValue(const std::vector<FieldReference>& fields, const std::string& section) {
+  const auto first =
+      std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return isSection({field}, section); });
+  throw InputError("--set " + section + ": is a section; set one of its values, such as " + first->path);
+}
+
 void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node, const std::string& prefix,
-               const std::string& source, std::set<std::string>& set) {
+               const Source& source, std::set<std::string>& set) {
   std::set<std::string> seen;
   for (const auto& entry : node) {
-    if (!entry.first.IsScalar()) throw InputError(at(source, entry.first) + ": a key must be a text");
+    if (!entry.first.IsScalar()) throw InputError(source.at(entry.first) + ": a key must be a text");
     const std::string path = prefix + entry.first.Scalar();
-    const std::string where = at(source, entry.first);
+    const std::string where = source.at(entry.first);
     if (!seen.insert(path).second) throw InputError(where + ": key " + escaped(path, longest_key) + " stands twice");
     if (const FieldReference* field = find(fields, path)) {
-      std::visit(Assign(*field, entry.second, source), field->value);
+      std::visit(Assign(*field, entry.second, source.at(entry.second) + ": " + path), field->value);
       set.insert(path);
     } else if (!isSection(fields, path)) {
       unknownKey(fields, path, where);
@@ -153,27 +166,26 @@ void applyNode(const std::vector<FieldReference>& fields, const YAML::Node& node
 
 /// Of several documents only the first would count, which their writer cannot have meant. (YAML::LoadAll does not end
 /// on some broken texts.)
-void checkThatDocumentIsOne(const std::string& text, const std::string& source) {
+void checkThatDocumentIsOne(const std::string& text, const Source& source) {
   bool has_begun = false;
-  int number = 0;
+  int number = -1;
   for (const auto line : split(text, '\n')) {
     ++number;
     const bool begins = line.substr(0, 3) == "---" && trimmed(line.substr(0, 4)).size() == 3;
     if (begins && has_begun) {
-      throw InputError(source + " line " + std::to_string(number) + ": begins another document, must be one");
+      throw InputError(source.at(number) + ": begins another document, must be one");
     }
     const auto content = trimmed(line);
     has_begun = has_begun || begins || (!content.empty() && content.front() != '#' && content.front() != '%');
   }
 }
 
-YAML::Node parse(const std::string& text, const std::string& source) {
+YAML::Node parse(const std::string& text, const Source& source) {
   checkThatDocumentIsOne(text, source);
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw InputError(source + " line " + std::to_string(error.mark.line + 1) + ": not YAML: " +
-                     escaped(error.msg, longest_yaml_message));
+    throw InputError(source.at(error.mark.line) + ": not YAML: " + escaped(error.msg, longest_yaml_message));
   }
 }
 
@@ -236,11 +248,11 @@ std::string comment(const FieldReference& reference) {
 
 std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const std::string& text,
                                 const std::string& source) {
-  const YAML::Node root = parse(text, source);
+  const YAML::Node root = parse(text, {source});
   std::set<std::string> set;
   if (root.IsNull()) return set;
   if (!root.IsMap()) throw InputError(source + ": a configuration is sections of keys, this is " + shown(root));
-  applyNode(fields, root, "", source, set);
+  applyNode(fields, root, "", {source}, set);
   return set;
 }
 
@@ -255,14 +267,18 @@ std::set<std::string> applyYamlFile(const std::vector<FieldReference>& fields, c
 
 std::string applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment) {
   const auto equals = assignment.find('=');
-  if (equals == std::string::npos) throw InputError("--set " + assignment + ": must be section.name=value");
   const std::string path(trimmed(std::string_view(assignment).substr(0, equals)));
-  const std::string source = "--set";
+  if (equals == std::string::npos || path.empty()) {
+    throw InputError("--set " + inQuotes(assignment) + ": must be section.name=value");
+  }
   const FieldReference* field = find(fields, path);
-  if (field == nullptr) unknownKey(fields, path, source);
+  if (field == nullptr && isSection(fields, path)) isNoValue(fields, path);
+  if (field == nullptr) unknownKey(fields, path, "--set");
+  const std::string where = "--set " + path;
   const std::string value(trimmed(std::string_view(assignment).substr(equals + 1)));
-  const YAML::Node node = std::holds_alternative<std::string*>(field->value) ? YAML::Node(value) : parse(value, source);
-  std::visit(Assign(*field, node, source), field->value);
+  const bool is_text = std::holds_alternative<std::string*>(field->value);
+  const YAML::Node node = is_text ? YAML::Node(value) : parse(value, {where, false});
+  std::visit(Assign(*field, node, where), field->value);
   return path;
 }
 

@@ -11,11 +11,14 @@ namespace scan_to_path::robot {
 
 namespace {
 
+/// `size` follows from the robot's joints.
 template <class Accept>
-void checkList(const std::vector<double>& values, std::size_t size, const std::string& name, const char* limit,
-               Accept&& accept) {
+void checkList(const std::vector<double>& values, std::size_t size, const Robot& robot, const std::string& name,
+               const char* limit, Accept&& accept) {
   if (values.size() != size) {
-    throw InputError("encoders." + name, "number of values", std::to_string(values.size()), std::to_string(size));
+    throw InputError("encoders." + name, "number of values", std::to_string(values.size()),
+                     std::to_string(size) + ": the chain from " + robot.base_link + " to " + robot.tip_link + " has " +
+                         std::to_string(robot.dof()) + " joints");
   }
   for (std::size_t i = 0; i < size; ++i) {
     if (!accept(values[i]))
@@ -39,10 +42,11 @@ JointMatrix coupledAxes(const Robot& robot, double sign) {
   return axes;
 }
 
-JointMatrix couplingMatrix(const std::vector<double>& values, int joints) {
+JointMatrix couplingMatrix(const std::vector<double>& values, const Robot& robot) {
+  const int joints = robot.dof();
   JointMatrix C = JointMatrix::Identity();
   if (values.empty()) return C;
-  checkList(values, static_cast<std::size_t>(joints * joints), "coupling", "finite", isFinite);
+  checkList(values, static_cast<std::size_t>(joints * joints), robot, "coupling", "finite", isFinite);
   for (int i = 0; i < joints; ++i) {
     for (int k = 0; k < joints; ++k) C(i, k) = values[static_cast<std::size_t>(i * joints + k)];
   }
@@ -54,11 +58,11 @@ JointMatrix couplingMatrix(const std::vector<double>& values, int joints) {
 Encoders::Encoders(const EncoderOptions& options, const Robot& robot) {
   const int joints = robot.dof();
   const auto n = static_cast<std::size_t>(joints);
-  checkList(options.counts_per_turn, n, "counts_per_turn", "> 0", isPositive);
-  checkList(options.gear_ratio, n, "gear_ratio", "> 0", isPositive);
-  checkList(options.sign, n, "sign", "+1 or -1", isSign);
-  checkList(options.offset, n, "offset", "finite", isFinite);
-  const JointMatrix C = couplingMatrix(options.coupling, joints);
+  checkList(options.counts_per_turn, n, robot, "counts_per_turn", "> 0", isPositive);
+  checkList(options.gear_ratio, n, robot, "gear_ratio", "> 0", isPositive);
+  checkList(options.sign, n, robot, "sign", "+1 or -1", isSign);
+  checkList(options.offset, n, robot, "offset", "finite", isFinite);
+  const JointMatrix C = couplingMatrix(options.coupling, robot);
   const Eigen::FullPivLU<JointMatrix> decomposition(C);
   if (!decomposition.isInvertible()) throw InputError("encoders.coupling", "matrix", "singular", "invertible");
 

@@ -67,6 +67,14 @@ TEST(Cell, AnotherArmMustSayWhatItsControllerCouples) {
   EXPECT_EQ(cellError(options), "no error");
 }
 
+TEST(Cell, ValuesForOtherJointsThanTheChainsNameTheChain) {
+  CellOptions options;
+  options.base_link = "link_1";
+  options.axis_coupling.axis.clear();
+  EXPECT_EQ(cellError(options),
+            "encoders.counts_per_turn: number of values is 6, must be 5: the chain from link_1 to tool0 has 5 joints");
+}
+
 TEST(Cell, PackageAddressesAreLookedUp) {
   const std::filesystem::path parent = ::testing::TempDir() + "/packages";
   std::filesystem::create_directories(parent / "some_robot/urdf");

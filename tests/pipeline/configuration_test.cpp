@@ -207,7 +207,23 @@ TEST(Configuration, AssignmentsSetOneField) {
   EXPECT_EQ(outer.colour, Colour::dark_green);
   EXPECT_THAT(errorOf([&] { applyAssignment(fields, "inner.size=3"); }), HasSubstr("unknown key inner.size"));
   EXPECT_THAT(errorOf([&] { applyAssignment(fields, "inner.length"); }), HasSubstr("must be section.name=value"));
-  EXPECT_THAT(errorOf([&] { applyAssignment(fields, "inner=3"); }), HasSubstr("unknown key inner"));
+}
+
+TEST(Configuration, AssignmentsThatAreNoneSayWhatTheyAre) {
+  Outer outer;
+  const auto fields = fieldReferences(outer);
+  const auto error = [&](const std::string& assignment) {
+    return errorOf([&] { applyAssignment(fields, assignment); });
+  };
+  EXPECT_EQ(error("inner=3"), "--set inner: is a section; set one of its values, such as inner.length");
+  EXPECT_EQ(error("inn=3"), "--set: unknown key inn, did you mean inner?");
+  EXPECT_EQ(error("=1"), "--set '=1': must be section.name=value");
+  EXPECT_EQ(error(" =1"), "--set ' =1': must be section.name=value");
+  EXPECT_EQ(error("count=many"), "--set count is 'many', must be a number");
+  EXPECT_EQ(error("inner.length="), "--set inner.length is empty, must be a number [m]");
+  EXPECT_EQ(error("inner.axis=[1, 2]"), "--set inner.axis is a list of 2, must be a list of 3 numbers");
+  EXPECT_THAT(error("count=[1"), ::testing::StartsWith("--set count: not YAML: "));
+  EXPECT_EQ(error("count=1\n---\n2"), "--set count: begins another document, must be one");
 }
 
 TEST(Configuration, RoundTripKeepsEveryBit) {
