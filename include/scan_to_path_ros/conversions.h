@@ -36,8 +36,9 @@ geometry_msgs::Pose toPose(const core::geometry::Frame& T);
 core::geometry::Frame fromPose(const geometry_msgs::Pose& pose, const std::string& what);
 
 /// A stage's figures in one message; `header` is the job's.
-core::StageReport toMsg(const core::pipeline::StageReport& report, const std::vector<core::pipeline::Accuracy>& accuracy,
-                        const std::vector<std::string>& notes, const std_msgs::Header& header);
+core::StageReport toMsg(const core::pipeline::StageReport& report,
+                        const std::vector<core::pipeline::Accuracy>& accuracy, const std::vector<std::string>& notes,
+                        const std_msgs::Header& header);
 core::pipeline::StageReport stageReport(const core::StageReport& msg);
 std::vector<core::pipeline::Accuracy> accuracy(const core::StageReport& msg);
 

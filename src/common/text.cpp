@@ -34,10 +34,11 @@ std::string readFile(const std::filesystem::path& path) {
 
 void appendFixed(std::string& text, double value, int digits) {
   std::array<char, 400> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
   const char* begin = buffer.data();
-  const bool is_zero = std::all_of(begin, static_cast<const char*>(result.ptr),
-                                   [](char c) { return c == '-' || c == '0' || c == '.'; });
+  const bool is_zero =
+      std::all_of(begin, static_cast<const char*>(result.ptr), [](char c) { return c == '-' || c == '0' || c == '.'; });
   if (is_zero && *begin == '-') ++begin;
   text.append(begin, static_cast<const char*>(result.ptr));
 }

@@ -206,8 +206,8 @@ PrincipalCurvatures HeightField::curvatures(const Vector3& p) const {
   // Second fundamental form of a graph, Hessian / sqrt(1 + |grad|^2) = Hessian n_z, with the sign turned so that a
   // hill is positive; in the orthonormal basis t1, t2 it is the shape operator.
   const auto form = [&](const Vector3& u, const Vector3& v) {
-    return -closest.normal.z() * (here.zxx * u.x() * v.x() + here.zxy * (u.x() * v.y() + u.y() * v.x()) +
-                                  here.zyy * u.y() * v.y());
+    return -closest.normal.z() *
+           (here.zxx * u.x() * v.x() + here.zxy * (u.x() * v.y() + u.y() * v.x()) + here.zyy * u.y() * v.y());
   };
   return principalCurvatures(form(t1, t1), form(t1, t2), form(t2, t2), t1, t2);
 }

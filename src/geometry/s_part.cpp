@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-
 #include "scan_to_path/geometry/height_field.h"
 
 namespace scan_to_path::geometry {
 namespace {
 
-constexpr double length = 0.24;              // along x [m]
-constexpr double width = 0.16;               // along y [m]
+constexpr double length = 0.24;                // along x [m]
+constexpr double width = 0.16;                 // along y [m]
 constexpr double along = 2.0 * M_PI / length;  // wave numbers [rad/m]
 constexpr double across = M_PI / width;
 constexpr double a = 0.020;  // amplitudes [m]

@@ -13,7 +13,7 @@ namespace scan_to_path::mesh {
 namespace {
 
 /// Statements that carry no shape of their own here: appearance, grouping, lines and points.
-constexpr std::array<std::string_view, 14> passed_over = {"vt", "vn", "vp",     "g",      "o",   "s", "mg",
+constexpr std::array<std::string_view, 14> passed_over = {"vt", "vn", "vp",     "g",      "o",   "s",      "mg",
                                                           "l",  "p",  "usemtl", "mtllib", "lod", "usemap", "maplib"};
 
 bool isPassedOver(std::string_view keyword) {

@@ -50,7 +50,8 @@ std::size_t takeCount(std::string_view& line, const DataLines& lines, const char
 }
 
 std::int64_t takeInteger(std::string_view& line, const DataLines& lines, const char* quantity) {
-  const double value = takeNumber(line, [&] { return lines.where(); }, quantity);
+  const double value = takeNumber(
+      line, [&] { return lines.where(); }, quantity);
   if (!(std::abs(value) < 1e15) || value != std::floor(value)) {
     throw InputError(lines.where(), quantity, std::to_string(value), "a whole number");
   }

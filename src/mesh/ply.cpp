@@ -60,7 +60,8 @@ PlyFormat parseFormat(std::string_view line, const std::string& where) {
 PlyElement parseElement(std::string_view line, const std::string& where) {
   PlyElement element;
   element.name = takeWord(line);
-  const double count = takeNumber(line, [&] { return where; }, "element count");
+  const double count = takeNumber(
+      line, [&] { return where; }, "element count");
   constexpr double largest = 9007199254740992.0;  // 2^53: exact as a double
   if (!(count >= 0.0 && count <= largest) || count != std::floor(count)) {
     throw InputError(where, "element count", fixed(count, 0), "a whole number from 0 to 2^53");
@@ -125,14 +126,22 @@ double decode(const char* bytes, bool swapped) {
 
 double decode(PlyType type, const char* bytes, bool swapped) {
   switch (type) {
-    case PlyType::int8: return decode<std::int8_t>(bytes, swapped);
-    case PlyType::uint8: return decode<std::uint8_t>(bytes, swapped);
-    case PlyType::int16: return decode<std::int16_t>(bytes, swapped);
-    case PlyType::uint16: return decode<std::uint16_t>(bytes, swapped);
-    case PlyType::int32: return decode<std::int32_t>(bytes, swapped);
-    case PlyType::uint32: return decode<std::uint32_t>(bytes, swapped);
-    case PlyType::float32: return decode<float>(bytes, swapped);
-    default: return decode<double>(bytes, swapped);
+    case PlyType::int8:
+      return decode<std::int8_t>(bytes, swapped);
+    case PlyType::uint8:
+      return decode<std::uint8_t>(bytes, swapped);
+    case PlyType::int16:
+      return decode<std::int16_t>(bytes, swapped);
+    case PlyType::uint16:
+      return decode<std::uint16_t>(bytes, swapped);
+    case PlyType::int32:
+      return decode<std::int32_t>(bytes, swapped);
+    case PlyType::uint32:
+      return decode<std::uint32_t>(bytes, swapped);
+    case PlyType::float32:
+      return decode<float>(bytes, swapped);
+    default:
+      return decode<double>(bytes, swapped);
   }
 }
 
@@ -187,7 +196,10 @@ PlyHeader parsePlyHeader(std::string_view content, const std::string& name) {
 }
 
 PlyReader::PlyReader(std::string_view content, std::string name)
-    : content_(content), name_(std::move(name)), header_(parsePlyHeader(content, name_)), position_(header_.bytes),
+    : content_(content),
+      name_(std::move(name)),
+      header_(parsePlyHeader(content, name_)),
+      position_(header_.bytes),
       line_(header_.lines) {}
 
 std::string PlyReader::where() const {
@@ -262,7 +274,8 @@ void PlyReader::readAsciiRow(PlyRow& row) {
   } while (line.empty());
   const auto& properties = current().properties;
   const auto take = [&](const PlyProperty& property) {
-    return takeNumber(line, [this] { return where(); }, property.name.c_str());
+    return takeNumber(
+        line, [this] { return where(); }, property.name.c_str());
   };
   for (std::size_t i = 0; i < properties.size(); ++i) {
     row.values[i] = take(properties[i]);

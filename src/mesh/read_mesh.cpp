@@ -31,23 +31,35 @@ MeshFormat probeMesh(std::string_view content) {
 
 const char* meshFormatName(MeshFormat format) {
   switch (format) {
-    case MeshFormat::ply: return "PLY";
-    case MeshFormat::stl_ascii: return "STL (ascii)";
-    case MeshFormat::stl_binary: return "STL (binary)";
-    case MeshFormat::obj: return "OBJ";
-    case MeshFormat::off: return "OFF";
-    default: return "none";
+    case MeshFormat::ply:
+      return "PLY";
+    case MeshFormat::stl_ascii:
+      return "STL (ascii)";
+    case MeshFormat::stl_binary:
+      return "STL (binary)";
+    case MeshFormat::obj:
+      return "OBJ";
+    case MeshFormat::off:
+      return "OFF";
+    default:
+      return "none";
   }
 }
 
 MeshFile parseMesh(std::string_view content, const std::string& name) {
   switch (probeMesh(content)) {
-    case MeshFormat::ply: return parsePlyMesh(content, name);
-    case MeshFormat::stl_ascii: return parseStlAscii(content, name);
-    case MeshFormat::stl_binary: return parseStlBinary(content, name);
-    case MeshFormat::obj: return parseObj(content, name);
-    case MeshFormat::off: return parseOff(content, name);
-    default: break;
+    case MeshFormat::ply:
+      return parsePlyMesh(content, name);
+    case MeshFormat::stl_ascii:
+      return parseStlAscii(content, name);
+    case MeshFormat::stl_binary:
+      return parseStlBinary(content, name);
+    case MeshFormat::obj:
+      return parseObj(content, name);
+    case MeshFormat::off:
+      return parseOff(content, name);
+    default:
+      break;
   }
   if (content.empty()) throw InputError(name + ": file is empty");
   if (isPly(content)) throw InputError(name + ": PLY file has no faces: a cloud, not a mesh");

@@ -35,8 +35,8 @@ class SurfaceFitter : public nodelet::Nodelet {
       const auto options = scan_to_path_ros::readJobOptions(getNodeHandle());
       const auto scanned = scan_to_path_ros::scanStage(cloud, *info);
       const int threads = scan_to_path_ros::parameter(getPrivateNodeHandle(), "threads", 0);
-      const auto fitted = scan_to_path::pipeline::fitStage(scanned, options.scan, options.fit, options.report, threads,
-                                                           progress);
+      const auto fitted =
+          scan_to_path::pipeline::fitStage(scanned, options.scan, options.fit, options.report, threads, progress);
       fitted_.publish(boost::make_shared<scan_to_path::FittedScan>(scan_to_path_ros::toMsg(fitted, info->header)));
     });
   }

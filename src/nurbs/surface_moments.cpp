@@ -145,8 +145,8 @@ void sandwich(const double* h, const CubicSpanMatrix& basis, Lanes result[4]) {
                  h[k + 2] * Lanes::load(basis[2].data()) + h[k + 3] * Lanes::load(basis[3].data());
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    result[i] = basis[0][i] * product[0] + basis[1][i] * product[1] + basis[2][i] * product[2] +
-                basis[3][i] * product[3];
+    result[i] =
+        basis[0][i] * product[0] + basis[1][i] * product[1] + basis[2][i] * product[2] + basis[3][i] * product[3];
   }
 }
 

@@ -220,7 +220,8 @@ struct FormatValue {
   std::string operator()(const std::vector<double>* value) const { return list(*value, formatNumber); }
   std::string operator()(const std::vector<std::string>* value) const { return list(*value, formatText); }
   std::string operator()(const std::vector<Eigen::Vector2d>* value) const {
-    return list(*value, [](const Eigen::Vector2d& p) { return "[" + formatNumber(p.x()) + ", " + formatNumber(p.y()) + "]"; });
+    return list(*value,
+                [](const Eigen::Vector2d& p) { return "[" + formatNumber(p.x()) + ", " + formatNumber(p.y()) + "]"; });
   }
   std::string operator()(const EnumReference& value) const { return value.names[value.get()]; }
 
@@ -259,7 +260,8 @@ std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const
 std::set<std::string> applyYamlFile(const std::vector<FieldReference>& fields, const std::filesystem::path& file) {
   std::set<std::string> set = applyYaml(fields, readFile(file), file.string());
   if (set.empty()) {
-    throw InputError(file.string() + ": sets nothing; a configuration is sections of keys (see --print-config), and "
+    throw InputError(file.string() +
+                     ": sets nothing; a configuration is sections of keys (see --print-config), and "
                      "where the defaults are to hold there is none");
   }
   return set;

@@ -28,22 +28,27 @@ bool isCad(std::string_view content) {
 
 double metresPerUnit(Units units) {
   switch (units) {
-    case Units::mm: return 1e-3;
-    case Units::inch: return 0.0254;
-    case Units::m: break;
+    case Units::mm:
+      return 1e-3;
+    case Units::inch:
+      return 0.0254;
+    case Units::m:
+      break;
   }
   return 1.0;
 }
 
 InputKind detectInput(std::string_view content, const std::string& name) {
   if (content.empty()) throw InputError(name + ": is empty");
-  if (startsWith(content, "#ROSBAG")) throw InputError(name + ": is a ROS bag; this build reads none, use the ROS build");
+  if (startsWith(content, "#ROSBAG"))
+    throw InputError(name + ": is a ROS bag; this build reads none, use the ROS build");
   if (startsWith(content, "# scan_to_path samples")) return InputKind::samples;
   if (scan::isPcd(content)) return InputKind::cloud;
   if (mesh::isPly(content)) return mesh::parsePlyHeader(content, name).hasFaces() ? InputKind::mesh : InputKind::cloud;
   if (isCad(content)) return InputKind::cad;
   if (mesh::probeMesh(content) != mesh::MeshFormat::none) return InputKind::mesh;
-  throw InputError(name + ": is none of sample log, PCD, PLY, STL, OBJ, OFF, STEP, IGES, BREP; say which with --input-kind");
+  throw InputError(name +
+                   ": is none of sample log, PCD, PLY, STL, OBJ, OFF, STEP, IGES, BREP; say which with --input-kind");
 }
 
 void checkPlausibleSize(const Eigen::AlignedBox3d& bounds, Units units, const std::string& name,

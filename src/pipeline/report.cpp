@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path/pipeline/report.h"
 
-#include <algorithm>
 #include <Eigen/Core>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

@@ -13,10 +13,10 @@ struct PlannedMove {
   int segment = 0;
   int index = 0;
   Frame T_workobject_tcp = Frame::Identity();
-  JointVector q;                               ///< [rad]
-  double feed = 0.0;                           ///< as the motion drives it [m/s]; of the first move start_speed
-  bool process_on = false;                     ///< what works runs while the tool moves here
-  double zone = 0.0;                           ///< [m]; 0: stop
+  JointVector q;            ///< [rad]
+  double feed = 0.0;        ///< as the motion drives it [m/s]; of the first move start_speed
+  bool process_on = false;  ///< what works runs while the tool moves here
+  double zone = 0.0;        ///< [m]; 0: stop
 };
 
 /// Every waypoint of the path with its joint angles and zone, in order, checked. Throws InputError naming segment and

@@ -14,9 +14,9 @@ namespace scan_to_path::program {
 namespace {
 
 /// Instructions that leave the path alone.
-const std::set<std::string> harmless = {"confl",  "confj",   "singarea", "tpwrite", "tperase", "waittime",
-                                        "setdo",  "set",     "reset",    "stop",    "exit",    "return",
-                                        "waitdi", "waituntil", "waitrob", "pulsedo", "accset"};
+const std::set<std::string> harmless = {"confl",  "confj",     "singarea", "tpwrite", "tperase", "waittime",
+                                        "setdo",  "set",       "reset",    "stop",    "exit",    "return",
+                                        "waitdi", "waituntil", "waitrob",  "pulsedo", "accset"};
 
 /// Every routine call is nested in its caller's.
 constexpr int deepest_call = 64;
@@ -126,9 +126,7 @@ private:
     }
   }
 
-  static bool isMove(const std::string& name) {
-    return name == "movel" || name == "movej" || name == "moveabsj";
-  }
+  static bool isMove(const std::string& name) { return name == "movel" || name == "movej" || name == "moveabsj"; }
 
   /// What depends on a condition must be harmless: no motion, no routine, no process.
   void checkConditional(const Statement& statement, const Scope& scope) {

@@ -16,7 +16,7 @@ using Kind = Expression::Kind;
 /// Deeper nesting than any program has; bounds the recursion on hostile text.
 constexpr int deepest_expression = 50;
 
-const std::set<std::string> unread_words = {"for",  "while", "test",  "goto",  "connect", "error",
+const std::set<std::string> unread_words = {"for",  "while", "test",  "goto",    "connect", "error",
                                             "undo", "raise", "retry", "trynext", "backward"};
 
 class Parser {

@@ -14,8 +14,8 @@ namespace scan_to_path::program {
 struct Expression {
   enum class Kind { number, text, truth, name, aggregate, call, negative, add, subtract, multiply, divide };
   Kind kind = Kind::number;
-  double number = 0.0;           ///< of number and truth (0 or 1)
-  std::string text;              ///< of text, name and call
+  double number = 0.0;            ///< of number and truth (0 or 1)
+  std::string text;               ///< of text, name and call
   std::vector<Expression> parts;  ///< operands, elements, arguments
   int line = 0;
 };
@@ -30,8 +30,8 @@ struct Argument {
 struct Statement {
   enum class Kind { instruction, assignment, conditional };
   Kind kind = Kind::instruction;
-  std::string name;                     ///< of the instruction, or of the data assigned to
-  std::vector<Argument> arguments;      ///< of an instruction
+  std::string name;                       ///< of the instruction, or of the data assigned to
+  std::vector<Argument> arguments;        ///< of an instruction
   std::vector<std::string> names_inside;  ///< of a conditional: every name between IF and ENDIF
   int line = 0;
 };

@@ -225,9 +225,9 @@ std::array<double, 6> RapidValues::axes(const Expression& expression, const Scop
 }
 
 RapidSpeed RapidValues::speed(const Expression& expression, const Scope& scope) const {
-  const double known = predefined(expression, 'v', {5,   10,  20,  30,  40,  50,   60,   80,   100,  150,
-                                                    200, 300, 400, 500, 600, 800,  1000, 1500, 2000, 2500,
-                                                    3000, 4000, 5000, 6000, 7000});
+  const double known =
+      predefined(expression, 'v', {5,   10,  20,  30,   40,   50,   60,   80,   100,  150,  200,  300, 400,
+                                   500, 600, 800, 1000, 1500, 2000, 2500, 3000, 4000, 5000, 6000, 7000});
   if (known > 0.0) return {1e-3 * known, 500.0 * radians_per_degree};
   const Reading read{scope, expression.line, "speeddata"};
   const auto numbers = read.numbers<4>(evaluate(expression, scope), 1.0);

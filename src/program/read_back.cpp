@@ -146,10 +146,10 @@ private:
   /// The motion may lower a feed, but never raise it.
   void checkFeedAsked(const RapidMove& move, const Expected& at) {
     if (move.speed <= at.waypoint->feed + feed_limit) return;
-    report(&at,
-           "feed is " + fixed(move.speed, 6) + " m/s, the path asks for " + fixed(at.waypoint->feed, 6) +
-               " m/s at most",
-           &move);
+    report(
+        &at,
+        "feed is " + fixed(move.speed, 6) + " m/s, the path asks for " + fixed(at.waypoint->feed, 6) + " m/s at most",
+        &move);
   }
 
   void checkProcess(const RapidMove& move, const Expected& at) {

@@ -68,8 +68,9 @@ Frame fromPose(const geometry_msgs::Pose& pose, const std::string& what) {
   return core::geometry::snapped(T);
 }
 
-core::StageReport toMsg(const core::pipeline::StageReport& report, const std::vector<core::pipeline::Accuracy>& accuracy,
-                        const std::vector<std::string>& notes, const std_msgs::Header& header) {
+core::StageReport toMsg(const core::pipeline::StageReport& report,
+                        const std::vector<core::pipeline::Accuracy>& accuracy, const std::vector<std::string>& notes,
+                        const std_msgs::Header& header) {
   core::StageReport msg;
   msg.header = header;
   msg.name = report.name;

@@ -90,7 +90,8 @@ pipeline::JobInput NodeletRunner::input(const pipeline::ScanStage& scanned) {
   scan_to_path::geometry::Frame T_cloud_sensor = scan_to_path::geometry::Frame::Identity();
   T_cloud_sensor.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), scanned.mean_beam).toRotationMatrix();
-  scan_to_path::program::ProgramFile record = {"scan.pcd", scan_to_path::scan::formatPcd(*scanned.cloud, T_cloud_sensor)};
+  scan_to_path::program::ProgramFile record = {"scan.pcd",
+                                               scan_to_path::scan::formatPcd(*scanned.cloud, T_cloud_sensor)};
   const std::string sha256 = scan_to_path::sha256(record.content);
   return {record.name, sha256, pipeline::InputKind::cloud, pipeline::Units::m, std::move(record)};
 }

@@ -58,10 +58,14 @@ void apply(scan_to_path::pipeline::JobOptions& options, const ros::NodeHandle& n
 std::string toYaml(const XmlRpcValue& value) {
   XmlRpcValue copy = value;  // XmlRpcValue has no const access
   switch (copy.getType()) {
-    case XmlRpcValue::TypeBoolean: return static_cast<bool>(copy) ? "true" : "false";
-    case XmlRpcValue::TypeInt: return std::to_string(static_cast<int>(copy));
-    case XmlRpcValue::TypeDouble: return number(static_cast<double>(copy));
-    case XmlRpcValue::TypeString: return quoted(static_cast<std::string>(copy));
+    case XmlRpcValue::TypeBoolean:
+      return static_cast<bool>(copy) ? "true" : "false";
+    case XmlRpcValue::TypeInt:
+      return std::to_string(static_cast<int>(copy));
+    case XmlRpcValue::TypeDouble:
+      return number(static_cast<double>(copy));
+    case XmlRpcValue::TypeString:
+      return quoted(static_cast<std::string>(copy));
     case XmlRpcValue::TypeArray: {
       std::vector<XmlRpcValue> elements;
       for (int i = 0; i < copy.size(); ++i) elements.push_back(copy[i]);
@@ -69,7 +73,8 @@ std::string toYaml(const XmlRpcValue& value) {
     }
     case XmlRpcValue::TypeStruct:
       return flow('{', copy, '}', [](const auto& entry) { return quoted(entry.first) + ": " + toYaml(entry.second); });
-    default: throw InputError("a parameter is of a type that no configuration has (binary, date or nothing)");
+    default:
+      throw InputError("a parameter is of a type that no configuration has (binary, date or nothing)");
   }
 }
 

@@ -126,7 +126,8 @@ core::toolpath::ToolPath fromMsg(const core::ToolPath& msg) {
   path.process = msg.process;
   path.frame = msg.header.frame_id;
   path.T_contact_tcp = fromPose(msg.contact_to_tcp, "contact_to_tcp");
-  path.segments = converted<core::toolpath::Segment>(msg.segments, [](const auto& entry) { return fromSegment(entry); });
+  path.segments =
+      converted<core::toolpath::Segment>(msg.segments, [](const auto& entry) { return fromSegment(entry); });
   return path;
 }
 

@@ -87,9 +87,10 @@ core::scan::NoReturns noReturns(const core::ScanInfo& info) {
     throw InputError("scan_info: " + std::to_string(info.no_return_ends.size()) + " no_return_ends and " +
                      std::to_string(info.no_return_is_too_near.size()) + " no_return_is_too_near, must be as many");
   }
-  for (const auto& [name, value] : {std::pair("sensor_range", info.sensor_range),
-                                    std::pair("sensor_nearest", info.sensor_nearest)}) {
-    if (!(value >= 0.0 && std::isfinite(value))) throw InputError("scan_info", name, std::to_string(value) + " m", "0 or more");
+  for (const auto& [name, value] :
+       {std::pair("sensor_range", info.sensor_range), std::pair("sensor_nearest", info.sensor_nearest)}) {
+    if (!(value >= 0.0 && std::isfinite(value)))
+      throw InputError("scan_info", name, std::to_string(value) + " m", "0 or more");
   }
   core::scan::NoReturns returns;
   returns.range = info.sensor_range;

@@ -68,7 +68,9 @@ std::optional<BackgroundPlane> bestPlane(const std::vector<Vector3>& samples, do
   Random random(1);
   std::optional<BackgroundPlane> best;
   std::size_t most = 0;
-  const auto pick = [&] { return samples[static_cast<std::size_t>(random.uniform() * static_cast<double>(samples.size()))]; };
+  const auto pick = [&] {
+    return samples[static_cast<std::size_t>(random.uniform() * static_cast<double>(samples.size()))];
+  };
   for (int trial = 0; trial < trials; ++trial) {
     const Vector3 p = pick();
     const Vector3 q = pick();
@@ -189,7 +191,8 @@ BackgroundPlane planeAtHeight(const SampleRows& rows, double height) {
 }
 
 /// The stretches of a piece above the plane; the rest counts as dropped.
-void keepAbove(const RowPiece& piece, const BackgroundPlane& plane, const BackgroundOptions& options, SampleRows& kept) {
+void keepAbove(const RowPiece& piece, const BackgroundPlane& plane, const BackgroundOptions& options,
+               SampleRows& kept) {
   const std::size_t n = piece.size();
   std::size_t background = 0;
   std::size_t begin = 0;

@@ -52,7 +52,8 @@ public:
 
   CloudFile finish(const std::string& name, const std::array<double, 7>* viewpoint) {
     if (file_.cloud.empty()) {
-      throw InputError(name, "number of points with finite coordinates", "0 of " + std::to_string(file_.no_return), "at least 1");
+      throw InputError(name, "number of points with finite coordinates", "0 of " + std::to_string(file_.no_return),
+                       "at least 1");
     }
     if (viewpoint != nullptr) setViewingDirection(*viewpoint);
     return std::move(file_);
@@ -85,10 +86,14 @@ double loadField(const PcdField& field, const char* bytes) {
   if (field.type == 'F') return field.size == 4 ? load<float>(bytes) : load<double>(bytes);
   const bool is_signed = field.type == 'I';
   switch (field.size) {
-    case 1: return is_signed ? load<std::int8_t>(bytes) : load<std::uint8_t>(bytes);
-    case 2: return is_signed ? load<std::int16_t>(bytes) : load<std::uint16_t>(bytes);
-    case 4: return is_signed ? load<std::int32_t>(bytes) : load<std::uint32_t>(bytes);
-    default: return is_signed ? load<std::int64_t>(bytes) : load<std::uint64_t>(bytes);
+    case 1:
+      return is_signed ? load<std::int8_t>(bytes) : load<std::uint8_t>(bytes);
+    case 2:
+      return is_signed ? load<std::int16_t>(bytes) : load<std::uint16_t>(bytes);
+    case 4:
+      return is_signed ? load<std::int32_t>(bytes) : load<std::uint32_t>(bytes);
+    default:
+      return is_signed ? load<std::int64_t>(bytes) : load<std::uint64_t>(bytes);
   }
 }
 
@@ -99,15 +104,22 @@ public:
     for (std::size_t q = 0; q < quantities; ++q) fields_[q] = header_.find(field_names[q]);
     for (const Quantity q : {x_value, y_value, z_value}) {
       if (fields_[q] == nullptr) throw InputError(name, "field " + field_names[q][0], "missing", "there");
-      if (fields_[q]->type != 'F') throw InputError(name, "type of field " + field_names[q][0], std::string(1, fields_[q]->type), "F");
+      if (fields_[q]->type != 'F')
+        throw InputError(name, "type of field " + field_names[q][0], std::string(1, fields_[q]->type), "F");
     }
   }
 
   CloudFile read() {
     switch (header_.data) {
-      case PcdData::ascii: readAscii(); break;
-      case PcdData::binary: readBinary(); break;
-      case PcdData::binary_compressed: readCompressed(); break;
+      case PcdData::ascii:
+        readAscii();
+        break;
+      case PcdData::binary:
+        readBinary();
+        break;
+      case PcdData::binary_compressed:
+        readCompressed();
+        break;
     }
     return builder_.finish(name_, &header_.viewpoint);
   }
@@ -128,7 +140,8 @@ private:
     for (std::uint64_t i = 0; i < header_.points; ++i) {
       Values values = absent;
       for (std::size_t q = 0; q < quantities; ++q) {
-        if (fields_[q] != nullptr) values[q] = scale(q) * loadField(*fields_[q], place(*fields_[q], static_cast<std::size_t>(i)));
+        if (fields_[q] != nullptr)
+          values[q] = scale(q) * loadField(*fields_[q], place(*fields_[q], static_cast<std::size_t>(i)));
       }
       builder_.add(values);
     }
@@ -144,9 +157,11 @@ private:
     if (data_.size() < 8) throw InputError(name_, "compressed data", "cut off", "complete");
     const auto packed = static_cast<std::size_t>(load<std::uint32_t>(data_.data()));
     const auto size = static_cast<std::size_t>(load<std::uint32_t>(data_.data() + 4));
-    if (packed > data_.size() - 8) throw InputError(name_, "compressed data", "cut off", std::to_string(packed) + " bytes");
+    if (packed > data_.size() - 8)
+      throw InputError(name_, "compressed data", "cut off", std::to_string(packed) + " bytes");
     const auto expanded = expandLzf(data_.substr(8, packed), size);
-    if (!expanded) throw InputError(name_, "compressed data", "damaged", "LZF data of " + std::to_string(size) + " bytes");
+    if (!expanded)
+      throw InputError(name_, "compressed data", "damaged", "LZF data of " + std::to_string(size) + " bytes");
     checkRoom(expanded->size());
     const auto points = static_cast<std::size_t>(header_.points);
     addAll([&](const PcdField& field, std::size_t i) {
@@ -169,7 +184,8 @@ private:
       std::string_view line;
       do {
         if (at >= data_.size()) {
-          throw InputError(name_, "number of points", std::to_string(header_.points), "at most the " + std::to_string(i) + " that the file holds");
+          throw InputError(name_, "number of points", std::to_string(header_.points),
+                           "at most the " + std::to_string(i) + " that the file holds");
         }
         const auto end = std::min(data_.find('\n', at), data_.size());
         line = trimmed(data_.substr(at, end - at));
@@ -180,7 +196,8 @@ private:
     }
   }
 
-  void addAsciiPoint(std::string_view line, const std::vector<std::size_t>& column, std::size_t columns, const std::string& where) {
+  void addAsciiPoint(std::string_view line, const std::vector<std::size_t>& column, std::size_t columns,
+                     const std::string& where) {
     Values values = absent;
     std::size_t word_number = 0;
     while (!line.empty()) {
@@ -195,7 +212,8 @@ private:
         values[q] *= scale(q);
       }
     }
-    if (word_number != columns) throw InputError(where, "number of values", std::to_string(word_number), std::to_string(columns));
+    if (word_number != columns)
+      throw InputError(where, "number of values", std::to_string(word_number), std::to_string(columns));
     builder_.add(values);
   }
 
@@ -218,7 +236,8 @@ CloudFile readPly(std::string_view content, const std::string& name) {
       for (const std::string& field : field_names[q]) {
         if (!column[q]) column[q] = element->find(field);
       }
-      if (q <= z_value && !column[q]) throw InputError(name, "vertex property " + field_names[q][0], "missing", "there");
+      if (q <= z_value && !column[q])
+        throw InputError(name, "vertex property " + field_names[q][0], "missing", "there");
     }
     const auto is_integer = [&](std::size_t c) { return element->properties[c].type < mesh::PlyType::float32; };
     const double time_scale = column[time_value] && is_integer(*column[time_value]) ? nanosecond : 1.0;
@@ -262,7 +281,8 @@ std::string formatPcd(const ScanCloud& cloud, const geometry::Frame& T_cloud_sen
   const std::string count = std::to_string(cloud.size());
   std::string text =
       "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z line time\nSIZE 4 4 4 4 8\n"
-      "TYPE F F F U F\nCOUNT 1 1 1 1 1\nWIDTH " + count + "\nHEIGHT 1\nVIEWPOINT";
+      "TYPE F F F U F\nCOUNT 1 1 1 1 1\nWIDTH " +
+      count + "\nHEIGHT 1\nVIEWPOINT";
   const Vector3 origin = T_cloud_sensor.translation();
   const Eigen::Quaterniond turn = geometry::canonicalQuaternion(T_cloud_sensor.linear());
   for (const double value : {origin.x(), origin.y(), origin.z(), turn.w(), turn.x(), turn.y(), turn.z()}) {

@@ -23,7 +23,8 @@ struct CrossStencil {
   std::array<double, stencil_rows> weight{};
 };
 
-/// Weights over `below` rows under and `above` rows over the point's own, each nearest first. Uses as many conditions of NormalEstimator's list as there are rows for.
+/// Weights over `below` rows under and `above` rows over the point's own, each nearest first. Uses as many conditions
+/// of NormalEstimator's list as there are rows for.
 CrossStencil crossStencil(const StencilRow& own, const StencilRow* below, std::size_t below_count,
                           const StencilRow* above, std::size_t above_count);
 

@@ -41,9 +41,9 @@ std::vector<double> chordParameters(const Segment& segment, double exponent) {
   std::vector<double> u(p.count, 0.0);
   double length = 0.0;
   for (std::size_t i = 1; i < p.count; ++i) {
-    const double chord = std::sqrt((p.x[i] - p.x[i - 1]) * (p.x[i] - p.x[i - 1]) +
-                                   (p.y[i] - p.y[i - 1]) * (p.y[i] - p.y[i - 1]) +
-                                   (p.z[i] - p.z[i - 1]) * (p.z[i] - p.z[i - 1]));
+    const double chord =
+        std::sqrt((p.x[i] - p.x[i - 1]) * (p.x[i] - p.x[i - 1]) + (p.y[i] - p.y[i - 1]) * (p.y[i] - p.y[i - 1]) +
+                  (p.z[i] - p.z[i - 1]) * (p.z[i] - p.z[i - 1]));
     length += chord;
     u[i] = u[i - 1] + (exponent == 1.0 ? chord : std::sqrt(chord));
   }
@@ -117,7 +117,8 @@ void prepareAll(std::vector<Segment>& segments, Parameterization parameterizatio
   });
 }
 
-std::vector<int> chooseCounts(const std::vector<Segment>& segments, const nurbs::CurveFitOptions& options, int threads) {
+std::vector<int> chooseCounts(const std::vector<Segment>& segments, const nurbs::CurveFitOptions& options,
+                              int threads) {
   std::vector<nurbs::LineMoments> moments;
   moments.reserve(segments.size());
   for (const Segment& segment : segments) moments.push_back(*segment.moments);
@@ -222,8 +223,8 @@ FittedLines fitLines(const SampleRows& rows, const LineFitOptions& options, int 
   validate(options, "fit");
   std::size_t too_short = 0;
   constexpr double wide_gap = 5.0;  // spacings
-  std::vector<Segment> segments = splitAtWideGaps(splitAtCorners(rows, options, threads, too_short),
-                                                  wide_gap * rows.spacing, too_short);
+  std::vector<Segment> segments =
+      splitAtWideGaps(splitAtCorners(rows, options, threads, too_short), wide_gap * rows.spacing, too_short);
   std::vector<int> counts;
   do {  // ends: what is joined was split before, what splits in the end stays so
     prepareAll(segments, options.parameterization, threads);

@@ -12,7 +12,8 @@ namespace scan_to_path::scan {
 LineTable::LineTable(const FittedLine& line, const Frame& T_scan_cloud) : begin_(line.begin), end_(line.end) {
   const nurbs::Curve& curve = line.curve;
   if (curve.degree != 3 || !curve.weights.empty()) {
-    throw InputError("fitted line", "curve", "rational or of degree " + std::to_string(curve.degree), "a cubic B-spline");
+    throw InputError("fitted line", "curve", "rational or of degree " + std::to_string(curve.degree),
+                     "a cubic B-spline");
   }
   std::vector<Vector3> points;
   points.reserve(curve.control_points.size());

@@ -62,7 +62,9 @@ private:
   /// Rows on both sides of a sharp bend do not share a tangent: the side that goes on straight is the point's own.
   static void keepSmootherSide(Side& below, Side& above) {
     if (below.count == 0 || above.count == 0 || std::abs(below.slope[0] - above.slope[0]) <= sharp_bend) return;
-    const auto roughness = [](const Side& side) { return side.count < 2 ? 10.0 : std::abs(side.slope[1] - side.slope[0]); };
+    const auto roughness = [](const Side& side) {
+      return side.count < 2 ? 10.0 : std::abs(side.slope[1] - side.slope[0]);
+    };
     (roughness(below) <= roughness(above) ? above : below).count = 0;
   }
 
@@ -71,7 +73,8 @@ private:
     Side below = side(p, -1);
     Side above = side(p, +1);
     keepSmootherSide(below, above);
-    stencil_ = crossStencil({0, 0.0, neighbours_.direction(0)}, below.rows.data(), below.count, above.rows.data(), above.count);
+    stencil_ = crossStencil({0, 0.0, neighbours_.direction(0)}, below.rows.data(), below.count, above.rows.data(),
+                            above.count);
     valid_until_ = std::min(neighbours_.validUntil(), p.x() + renewal * pitch_);
   }
 
@@ -97,7 +100,8 @@ Vector3 triangleNormal(const Vector3& p, const Vector3* before, const Vector3* a
   return sum;
 }
 
-inline OrientedPoint orientedPoint(const LineTable::Jet& jet, const Vector3& normal, double u, const Frame& T_cloud_scan) {
+inline OrientedPoint orientedPoint(const LineTable::Jet& jet, const Vector3& normal, double u,
+                                   const Frame& T_cloud_scan) {
   const Eigen::Matrix3d R = T_cloud_scan.linear();
   return {R * jet.point + T_cloud_scan.translation(), R * (normal * (1.0 / normal.norm())),
           R * (jet.first * (1.0 / jet.first.norm())), u};
@@ -132,7 +136,8 @@ void orientAsSeed(const ScanTables& tables, int row, double pitch, const LineTab
     };
     const Vector3* below = nearest(-1);
     const Vector3* above = nearest(+1);
-    const Vector3 normal = triangleNormal(jet.point, k > 0 ? &before : nullptr, last ? nullptr : &next.point, below, above);
+    const Vector3 normal =
+        triangleNormal(jet.point, k > 0 ? &before : nullptr, last ? nullptr : &next.point, below, above);
     if (normal.z() > 0.0) points.push_back(orientedPoint(jet, normal, parameters[k], T_cloud_scan));
     before = jet.point;
     jet = next;
@@ -178,7 +183,8 @@ NormalEstimator::NormalEstimator(NormalEstimator&&) noexcept = default;
 OrientedLine NormalEstimator::orient(int line, const std::vector<double>& parameters) const {
   const auto index = static_cast<std::size_t>(line);
   if (line < 0 || index >= data_->tables.lines.size()) {
-    throw InputError("normals", "line", std::to_string(line), "in [0, " + std::to_string(data_->tables.lines.size()) + ")");
+    throw InputError("normals", "line", std::to_string(line),
+                     "in [0, " + std::to_string(data_->tables.lines.size()) + ")");
   }
   OrientedLine oriented;
   oriented.line = line;

@@ -69,7 +69,8 @@ private:
 
   std::uint64_t integer(std::string_view word, const std::string& quantity, std::uint64_t largest) const {
     double value = -1.0;
-    if (!parseNumber(word, value) || !(value >= 0.0 && value <= static_cast<double>(largest)) || value != std::floor(value)) {
+    if (!parseNumber(word, value) || !(value >= 0.0 && value <= static_cast<double>(largest)) ||
+        value != std::floor(value)) {
       fail(quantity, "not such a number", "a whole number up to " + std::to_string(largest));
     }
     return static_cast<std::uint64_t>(value);
@@ -155,6 +156,8 @@ const PcdField* PcdHeader::find(const std::vector<std::string>& names) const {
   return nullptr;
 }
 
-PcdHeader parsePcdHeader(std::string_view content, const std::string& name) { return HeaderParser(content, name).parse(); }
+PcdHeader parsePcdHeader(std::string_view content, const std::string& name) {
+  return HeaderParser(content, name).parse();
+}
 
 }  // namespace scan_to_path::scan

@@ -27,7 +27,8 @@ double stepDensity(const LineTable::Jet& jet, const ResampleOptions& options) {
     const double curvature = jet.first.cross(jet.second).norm() / (speed * speed * speed);
     // 8 where the curvature is constant; a step that starts in an inflection would be 2/sqrt(3) off with it.
     constexpr double factor = 6.9;
-    if (curvature * step * step > factor * options.chord_error) step = std::sqrt(factor * options.chord_error / curvature);
+    if (curvature * step * step > factor * options.chord_error)
+      step = std::sqrt(factor * options.chord_error / curvature);
   }
   return speed / step;
 }

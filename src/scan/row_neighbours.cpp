@@ -33,8 +33,9 @@ std::optional<std::size_t> RowNeighbours::lineAt(int step, double x) {
     return std::nullopt;
   }
   // Beyond its end the line is extrapolated only while the next one has not begun.
-  const double closes = line + 1 < last ? std::min(table.xEnd() + margin_, std::max(table.xEnd(), tables_.lines[line + 1].xBegin()))
-                                        : table.xEnd() + margin_;
+  const double closes = line + 1 < last
+                            ? std::min(table.xEnd() + margin_, std::max(table.xEnd(), tables_.lines[line + 1].xBegin()))
+                            : table.xEnd() + margin_;
   valid_until_ = std::min(valid_until_, closes);
   return line;
 }

@@ -111,7 +111,8 @@ private:
     last_time_ = time;
     const bool has_joints = readJoints(at, end);
     if (has_joints) log_.joint_time.push_back(time);
-    if (!readVoltage(at, end, time) && !has_joints) fail("row", "empty but for its time", "a reading of the joints or the sensor");
+    if (!readVoltage(at, end, time) && !has_joints)
+      fail("row", "empty but for its time", "a reading of the joints or the sensor");
   }
 
   bool readJoints(const char*& at, const char* end) {
@@ -174,7 +175,8 @@ std::vector<std::int64_t> microseconds(const std::vector<double>& times) {
   std::vector<std::int64_t> ticks(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     constexpr double largest = 9e12;  // [s]
-    if (!(std::abs(times[i]) < largest)) throw InputError("sample log", "time", fixed(times[i], 0), "finite and below 9e12 s");
+    if (!(std::abs(times[i]) < largest))
+      throw InputError("sample log", "time", fixed(times[i], 0), "finite and below 9e12 s");
     ticks[i] = roundedTicks(times[i], 1e6);
     if (i > 0 && ticks[i] <= ticks[i - 1]) {
       throw InputError("sample log", "time " + std::to_string(i), fixed(times[i], 9),

@@ -87,7 +87,8 @@ double medianAbsoluteResidual(const std::vector<PieceResiduals>& residuals) {
 }
 
 std::vector<char> findSpikes(const RowPiece& piece, const std::vector<double>& residuals, double limit) {
-  constexpr double one_sided = 2.5;  // noise of an extrapolation over that of a chord: sqrt(5 / 0.5) less the median's gain
+  constexpr double one_sided =
+      2.5;  // noise of an extrapolation over that of a chord: sqrt(5 / 0.5) less the median's gain
   const std::size_t n = piece.size();
   std::vector<char> spikes(n, 0);
   const auto beyond = [](double residual, double bound) { return std::isnan(residual) || std::abs(residual) > bound; };

@@ -88,8 +88,8 @@ std::vector<LaserSpot::Reading> readSensor(const Setup& setup, const Ticks& tick
   return readings;
 }
 
-std::vector<double> readEncoders(const Setup& setup, const robot::Encoders& encoders, bool quantise,
-                                 const Ticks& ticks, int threads, const Progress& progress) {
+std::vector<double> readEncoders(const Setup& setup, const robot::Encoders& encoders, bool quantise, const Ticks& ticks,
+                                 int threads, const Progress& progress) {
   const std::size_t joints = setup.robot.joints.size();
   std::vector<double> counts(ticks.size() * joints);
   forEachTick(ticks, "reading encoders", threads, progress, [&](std::size_t i, double time, std::size_t& move) {

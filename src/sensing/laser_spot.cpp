@@ -14,13 +14,16 @@ constexpr double least_light = 0.5;
 
 std::optional<double> castBeside(const geometry::Surface& scene, const geometry::Frame& T_scene_sensor,
                                  const Eigen::Vector2d& offset) {
-  const geometry::Ray ray{T_scene_sensor * geometry::Vector3(offset.x(), offset.y(), 0.0), T_scene_sensor.linear().col(2)};
+  const geometry::Ray ray{T_scene_sensor * geometry::Vector3(offset.x(), offset.y(), 0.0),
+                          T_scene_sensor.linear().col(2)};
   const auto hit = scene.castRay(ray);
   if (!hit) return std::nullopt;
   return hit->distance;
 }
 
-Eigen::Vector2d onCircle(double radius, double turn) { return radius * Eigen::Vector2d(std::cos(turn), std::sin(turn)); }
+Eigen::Vector2d onCircle(double radius, double turn) {
+  return radius * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+}
 
 }  // namespace
 

@@ -102,7 +102,8 @@ RasterPlan planRaster(const Eigen::AlignedBox2d& rectangle, const RasterOptions&
   }
   // The beam is the workpiece's -z; beam_turn turns about it.
   const Eigen::Vector2d row_direction = turn * Eigen::Vector2d::UnitX();
-  const Frame T = geometry::frameFromAxes(Vector3::Zero(), -Vector3::UnitZ(), {row_direction.x(), row_direction.y(), 0});
+  const Frame T =
+      geometry::frameFromAxes(Vector3::Zero(), -Vector3::UnitZ(), {row_direction.x(), row_direction.y(), 0});
   plan.R_workpiece_sensor = T.linear() * Eigen::AngleAxisd(options.beam_turn, Vector3::UnitZ());
   return plan;
 }

@@ -17,7 +17,7 @@ constexpr int fewest_samples = 6;  // of a cell's line fit
 /// The straight line that fits a row's samples around the middle of a cell.
 struct Cell {
   bool is_valid = false;
-  double height = 0.0;       // in the middle [m]
+  double height = 0.0;  // in the middle [m]
   double slope = 0.0;
   double velocity = 0.0;     // [m/s]
   double rms = 0.0;          // of the residuals [m]
@@ -60,7 +60,8 @@ std::vector<RowSample> placeRow(const Source& source, const MotionRow& row, doub
     return samples;
   }
   const double wanted = (end.origin - begin.origin).norm() / source.settings.cell * samples_per_cell;
-  const std::size_t stride = std::max<std::size_t>(1, static_cast<std::size_t>((row.last - row.first) / (wanted + 1.0)));
+  const std::size_t stride =
+      std::max<std::size_t>(1, static_cast<std::size_t>((row.last - row.first) / (wanted + 1.0)));
   const Vector3 x = source.rows.R_base_row.col(0);
   const Vector3 z = source.rows.R_base_row.col(2);
   SensorPose pose;

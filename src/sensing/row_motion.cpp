@@ -14,7 +14,7 @@ namespace {
 
 struct Look {
   std::size_t sample;
-  double time;      // [s]
+  double time;  // [s]
   SensorPose pose;
   double velocity;  // along the rows, to the next look [m/s]
 };

@@ -98,7 +98,10 @@ Vector3 Drift::at(double time) const {
 }
 
 RangeErrors::RangeErrors(const ErrorOptions& errors, const PointLaserOptions& laser, std::uint64_t seed)
-    : errors_(errors), laser_(laser), noise_(seed, noise_stream), dropout_(seed, dropout_stream),
+    : errors_(errors),
+      laser_(laser),
+      noise_(seed, noise_stream),
+      dropout_(seed, dropout_stream),
       spike_(seed, spike_stream) {
   const double beyond = 0.05 * (laser.distance_max - laser.distance_min);
   far_voltage_ = converted(voltageFromDistance(laser, laser.distance_max + beyond));

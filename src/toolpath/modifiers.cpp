@@ -122,8 +122,8 @@ Eigen::AngleAxisd turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d
 }
 
 /// Straight across from one pose to the other while the tool turns; without `from` itself.
-void appendCrossing(std::vector<Waypoint>& waypoints, const Frame& from, const Frame& to,
-                    const Eigen::AngleAxisd& turn, double feed) {
+void appendCrossing(std::vector<Waypoint>& waypoints, const Frame& from, const Frame& to, const Eigen::AngleAxisd& turn,
+                    double feed) {
   const Vector3 travel = to.translation() - from.translation();
   const int steps = std::max(1, static_cast<int>(std::ceil(turn.angle() / largest_turn - 1e-9)));
   for (int i = 1; i < steps; ++i) {

@@ -23,8 +23,9 @@ double normalCurvature(const HeightJet& jet, const Eigen::Vector2d& d) {
 
 double smallestCurvature(const HeightJet& jet) {
   const double w2 = 1.0 + jet.zx * jet.zx + jet.zy * jet.zy;
-  const double mean = -((1.0 + jet.zy * jet.zy) * jet.zxx - 2.0 * jet.zx * jet.zy * jet.zxy +
-                        (1.0 + jet.zx * jet.zx) * jet.zyy) / (2.0 * w2 * std::sqrt(w2));
+  const double mean =
+      -((1.0 + jet.zy * jet.zy) * jet.zxx - 2.0 * jet.zx * jet.zy * jet.zxy + (1.0 + jet.zx * jet.zx) * jet.zyy) /
+      (2.0 * w2 * std::sqrt(w2));
   const double gauss = (jet.zxx * jet.zyy - jet.zxy * jet.zxy) / (w2 * w2);
   return mean - std::sqrt(std::max(0.0, mean * mean - gauss));
 }

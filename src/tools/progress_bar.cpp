@@ -50,7 +50,8 @@ void ProgressBar::draw(const std::string& stage, double fraction) {
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
   std::string bar(static_cast<std::size_t>(filled), '#');
   bar.resize(width, '.');
-  std::fprintf(stderr, "\r\033[K%-10s [%s] %3.0f %%", stage.c_str(), bar.c_str(), 100.0 * std::clamp(fraction, 0.0, 1.0));
+  std::fprintf(stderr, "\r\033[K%-10s [%s] %3.0f %%", stage.c_str(), bar.c_str(),
+               100.0 * std::clamp(fraction, 0.0, 1.0));
   std::fflush(stderr);
 }
 

@@ -33,11 +33,13 @@ struct Targets {
   std::size_t of(const TrajectoryPoint& point, std::size_t k) const {
     const auto segments = segment_start.size() - 1;
     if (point.segment >= 0 && static_cast<std::size_t>(point.segment) < segments && point.index >= 0) {
-      const std::size_t place = segment_start[static_cast<std::size_t>(point.segment)] + static_cast<std::size_t>(point.index);
+      const std::size_t place =
+          segment_start[static_cast<std::size_t>(point.segment)] + static_cast<std::size_t>(point.index);
       if (place < segment_start[static_cast<std::size_t>(point.segment) + 1]) return place;
     }
     throw InputError("playback: trajectory point " + std::to_string(k) + " names segment " +
-                     std::to_string(point.segment) + " index " + std::to_string(point.index) + ", the path has none such");
+                     std::to_string(point.segment) + " index " + std::to_string(point.index) +
+                     ", the path has none such");
   }
 };
 

@@ -180,9 +180,24 @@ BENCHMARK(fitAndNormals)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Uni
 BENCHMARK(cloudToNormals)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK(pclNormals<pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal>>)
     ->Name("pclNormals")
-    ->Arg(10)->Arg(20)->Arg(50)->Arg(100)->Arg(200)->Arg(400)->Iterations(1)->Unit(benchmark::kMillisecond);
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(pclNormals<pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal>>)
     ->Name("pclNormalsOmp")
-    ->Arg(10)->Arg(20)->Arg(50)->Arg(100)->Arg(200)->Arg(400)->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

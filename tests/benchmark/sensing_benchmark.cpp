@@ -36,7 +36,11 @@ void place(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(cell.place(log));
   countSamples(state, log.voltage.size());
 }
-BENCHMARK(place)->ArgNames({"samples", "slow_joints"})->Args({1000000, 0})->Args({1000000, 1})->Args({4000000, 0})
+BENCHMARK(place)
+    ->ArgNames({"samples", "slow_joints"})
+    ->Args({1000000, 0})
+    ->Args({1000000, 1})
+    ->Args({4000000, 0})
     ->Unit(benchmark::kMillisecond);
 
 void clockOffset(benchmark::State& state) {

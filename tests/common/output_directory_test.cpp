@@ -105,7 +105,8 @@ TEST_F(OutputDirectoryTest, RefusesWhatIsNotADirectory) {
   expectInputError([&] { OutputDirectory directory(root_ / "file", anyFile); }, "exists and is not a directory");
   // A file on the way: also true for root, whom no permission stops.
   expectInputError([&] { OutputDirectory directory(root_ / "file" / "out", anyFile); }, "cannot ");
-  expectInputError([] { OutputDirectory directory("/proc/scan_to_path", anyFile); }, "cannot create /proc/scan_to_path.part");
+  expectInputError([] { OutputDirectory directory("/proc/scan_to_path", anyFile); },
+                   "cannot create /proc/scan_to_path.part");
   EXPECT_EQ(readFile(root_ / "file"), "x");
 }
 

@@ -17,11 +17,13 @@ std::vector<std::string> scan_to_path::fuzz::seeds() {
     point.time = 0.001 * i;
     cloud.push_back(point);
   }
-  const std::string header = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z ring t\nSIZE 4 4 4 2 4\nTYPE F F F U U\nCOUNT 1 1 1 1 1\n";
+  const std::string header =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z ring t\nSIZE 4 4 4 2 4\nTYPE F F F U U\nCOUNT 1 1 1 1 1\n";
   return {scan::formatPcd(cloud),
           header + "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 1 1 0 0 0\nPOINTS 2\nDATA ascii\n1 2 3 4 5\nnan 0 0 1 2\n",
           "# .PCD v0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 4\nHEIGHT 1\nPOINTS 4\n"
-          "DATA binary_compressed\n" + std::string("\x05\0\0\0\x30\0\0\0\0\0\xe0\x26\0", 13),
+          "DATA binary_compressed\n" +
+              std::string("\x05\0\0\0\x30\0\0\0\0\0\xe0\x26\0", 13),
           "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty float y\nproperty float z\n"
           "property int line\nproperty double time\nend_header\n1 2 3 -1 0.25\n4 5 6 8 0.5\n"};
 }

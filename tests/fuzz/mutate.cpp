@@ -37,10 +37,18 @@ void change(std::string& input, const std::vector<std::string>& corpus, Random& 
     case 1:
       if (at < input.size()) input[at] = static_cast<char>(random.bits());
       break;
-    case 2: input.erase(at, length); break;
-    case 3: input.insert(at, input.substr(at, length)); break;
-    case 4: input.insert(at, words[below(random, words.size())]); break;
-    case 5: input.replace(at, length, words[below(random, words.size())]); break;
+    case 2:
+      input.erase(at, length);
+      break;
+    case 3:
+      input.insert(at, input.substr(at, length));
+      break;
+    case 4:
+      input.insert(at, words[below(random, words.size())]);
+      break;
+    case 5:
+      input.replace(at, length, words[below(random, words.size())]);
+      break;
     case 6: {
       const std::string_view pattern = patterns[below(random, patterns.size())];
       input.replace(at, std::min(pattern.size(), input.size() - at), pattern);
@@ -52,7 +60,9 @@ void change(std::string& input, const std::vector<std::string>& corpus, Random& 
       input.replace(at, length, other.substr(from, pieceLength(random, other.size())));
       break;
     }
-    default: input.resize(at); break;
+    default:
+      input.resize(at);
+      break;
   }
 }
 

@@ -37,7 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const auto& segment : path.segments) {
     fuzz::require(!segment.waypoints.empty(), "a segment has waypoints");
-    for (const auto& waypoint : segment.waypoints) fuzz::require(waypoint.pose.matrix().allFinite(), "poses are finite");
+    for (const auto& waypoint : segment.waypoints)
+      fuzz::require(waypoint.pose.matrix().allFinite(), "poses are finite");
   }
   const auto again = toolpath::parseToolPath(toolpath::formatToolPath(path), "again");
   fuzz::require(toolpath::waypointCount(again) == toolpath::waypointCount(path), "a path comes back whole");

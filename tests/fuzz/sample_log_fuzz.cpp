@@ -7,8 +7,10 @@
 #include "scan_to_path/scan/sample_log.h"
 
 std::vector<std::string> scan_to_path::fuzz::seeds() {
-  return {"# scan_to_path samples 1\nt,joint_1,joint_2,voltage\n0.000000,100,-200,1.25\n0.001000,,,nan\n0.002000,101,-201.5,\n",
-          "# scan_to_path samples 1\r\n# made by hand\r\nt,a,voltage\r\n-1e-3,2147483647,-5\r\n0,-2147483648,5\r\n"};
+  return {
+      "# scan_to_path samples "
+      "1\nt,joint_1,joint_2,voltage\n0.000000,100,-200,1.25\n0.001000,,,nan\n0.002000,101,-201.5,\n",
+      "# scan_to_path samples 1\r\n# made by hand\r\nt,a,voltage\r\n-1e-3,2147483647,-5\r\n0,-2147483648,5\r\n"};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -28,11 +28,11 @@ const double nowhere = std::nan("");
 struct World {
   const char* name;
   std::shared_ptr<const AnalyticSurface> surface;
-  std::function<double(const Vector3&)> implicit;      // negative inside, NaN outside of the domain
-  std::function<Vector3(double, double)> parametric;   // from [0, 1]^2
+  std::function<double(const Vector3&)> implicit;     // negative inside, NaN outside of the domain
+  std::function<Vector3(double, double)> parametric;  // from [0, 1]^2
   Vector3 centre;
-  double size;                                         // [m]
-  double curvature;                                    // largest magnitude [1/m]
+  double size;       // [m]
+  double curvature;  // largest magnitude [1/m]
 };
 
 std::function<double(const Vector3&)> overSquare(double low_x, double high_x, double low_y, double high_y,
@@ -54,34 +54,62 @@ Vector3 onCircle(double radius, double u) {
 
 std::vector<World> worlds() {
   return {
-      {"Plane", std::make_shared<Plane>(), [](const Vector3& p) { return p.z(); },
-       [](double u, double v) { return Vector3(u - 0.5, v - 0.5, 0.0); }, {0, 0, 0}, 0.2, 0.0},
-      {"Sphere", std::make_shared<Sphere>(0.1), [](const Vector3& p) { return p.norm() - 0.1; },
+      {"Plane",
+       std::make_shared<Plane>(),
+       [](const Vector3& p) { return p.z(); },
+       [](double u, double v) { return Vector3(u - 0.5, v - 0.5, 0.0); },
+       {0, 0, 0},
+       0.2,
+       0.0},
+      {"Sphere",
+       std::make_shared<Sphere>(0.1),
+       [](const Vector3& p) { return p.norm() - 0.1; },
        [](double u, double v) {
          return Vector3(std::sin(M_PI * v) * onCircle(0.1, u) + Vector3(0, 0, 0.1 * std::cos(M_PI * v)));
        },
-       {0, 0, 0}, 0.1, 10.0},
-      {"Cylinder", std::make_shared<Cylinder>(0.05),
+       {0, 0, 0},
+       0.1,
+       10.0},
+      {"Cylinder",
+       std::make_shared<Cylinder>(0.05),
        [](const Vector3& p) { return std::hypot(p.x(), p.y()) - 0.05; },
-       [](double u, double v) { return Vector3(onCircle(0.05, u) + Vector3(0, 0, v - 0.5)); }, {0, 0, 0}, 0.1, 20.0},
-      {"Torus", std::make_shared<Torus>(0.1, 0.03),
+       [](double u, double v) { return Vector3(onCircle(0.05, u) + Vector3(0, 0, v - 0.5)); },
+       {0, 0, 0},
+       0.1,
+       20.0},
+      {"Torus",
+       std::make_shared<Torus>(0.1, 0.03),
        [](const Vector3& p) { return std::hypot(std::hypot(p.x(), p.y()) - 0.1, p.z()) - 0.03; },
        [](double u, double v) {
-         return Vector3(onCircle(0.1 + 0.03 * std::cos(2 * M_PI * v), u) + Vector3(0, 0, 0.03 * std::sin(2 * M_PI * v)));
+         return Vector3(onCircle(0.1 + 0.03 * std::cos(2 * M_PI * v), u) +
+                        Vector3(0, 0, 0.03 * std::sin(2 * M_PI * v)));
        },
-       {0, 0, 0}, 0.13, 1 / 0.03},
-      {"FlatPart", std::make_shared<FlatPart>(Rectangle{-0.1, 0.1, -0.05, 0.05}),
+       {0, 0, 0},
+       0.13,
+       1 / 0.03},
+      {"FlatPart",
+       std::make_shared<FlatPart>(Rectangle{-0.1, 0.1, -0.05, 0.05}),
        overSquare(-0.1, 0.1, -0.05, 0.05, [](double, double) { return 0.0; }),
-       [](double u, double v) { return Vector3(0.2 * u - 0.1, 0.1 * v - 0.05, 0.0); }, {0, 0, 0}, 0.1, 0.0},
-      {"Saddle", std::make_shared<Saddle>(0.2, 0.1),
+       [](double u, double v) { return Vector3(0.2 * u - 0.1, 0.1 * v - 0.05, 0.0); },
+       {0, 0, 0},
+       0.1,
+       0.0},
+      {"Saddle",
+       std::make_shared<Saddle>(0.2, 0.1),
        overSquare(-0.1, 0.1, -0.1, 0.1, [](double x, double y) { return x * y / 0.2; }),
        [](double u, double v) {
          return Vector3(0.2 * u - 0.1, 0.2 * v - 0.1, (0.2 * u - 0.1) * (0.2 * v - 0.1) / 0.2);
        },
-       {0, 0, 0}, 0.1, 5.0},
-      {"SPart", std::make_shared<SPart>(), overSquare(0, 0.24, 0, 0.16, sHeight),
+       {0, 0, 0},
+       0.1,
+       5.0},
+      {"SPart",
+       std::make_shared<SPart>(),
+       overSquare(0, 0.24, 0, 0.16, sHeight),
        [](double u, double v) { return Vector3(0.24 * u, 0.16 * v, sHeight(0.24 * u, 0.16 * v)); },
-       {0.12, 0.08, 0.0}, 0.12, 18.0},
+       {0.12, 0.08, 0.0},
+       0.12,
+       18.0},
   };
 }
 

@@ -20,7 +20,6 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Ray;
 
-
 /// Möller and Trumbore's test, another algorithm than the tree's; infinity for a miss.
 double rayTriangle(const TriangleMesh& mesh, std::size_t triangle, const Ray& ray) {
   const auto& [ia, ib, ic] = mesh.triangles[triangle];
@@ -57,9 +56,9 @@ double bruteDistance(const TriangleMesh& mesh, const Vector3d& p) {
     const Vector3d n = mesh.faceNormal(i);
     const bool is_over =
         n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 && n.cross(a - c).dot(p - c) >= 0;
-    nearest = std::min(nearest, is_over ? std::abs(n.dot(p - a))
-                                        : std::min({segmentDistance(p, a, b), segmentDistance(p, b, c),
-                                                    segmentDistance(p, c, a)}));
+    nearest = std::min(
+        nearest, is_over ? std::abs(n.dot(p - a))
+                         : std::min({segmentDistance(p, a, b), segmentDistance(p, b, c), segmentDistance(p, c, a)}));
   }
   return nearest;
 }

@@ -20,9 +20,7 @@ using geometry::Vector3;
 constexpr double cell = 0.002;  // [m]
 
 TriangleMesh sPartMesh() {
-  return test::gridMesh(120, 80, [](double u, double v) {
-    return geometry::SPart().at(0.24 * u, 0.16 * v).point;
-  });
+  return test::gridMesh(120, 80, [](double u, double v) { return geometry::SPart().at(0.24 * u, 0.16 * v).point; });
 }
 
 TEST(MeshSurface, FollowsTheSurfaceThatItWasCutFrom) {

@@ -436,7 +436,8 @@ TEST_F(PlanMotionTest, TakesTheConfigurationThatFailsLeast) {
   EXPECT_NEAR(up.trajectory.points.front().q[2], elbow, 1e-6);
 }
 
-// Each joint keeps within its limits; the range of the controller's axis is set to the lower half of what the raster needs.
+// Each joint keeps within its limits; the range of the controller's axis is set to the lower half of what the raster
+// needs.
 TEST_F(PlanMotionTest, TheControllersAxisIsALimitToo) {
   const auto path = moved(rasterPath(), geometry::makeFrame({0.35, 0.0, -0.35}, Vector3::Zero()));
   const MotionPlan serial = plan(path);

@@ -41,8 +41,7 @@ NormalErrors normalErrors(const Surface& surface, const std::vector<SampledLine>
     for (std::size_t i = 0; i < line.x.size(); i += 11, ++count) {
       HeightDerivatives h = heights.at(line.x[i], line.y[i]);
       h.u *= sign;
-      const double angle =
-          geometry::angleBetween(heightNormal(h), part.at(line.x[i], line.y[i]).normal) * 180.0 / M_PI;
+      const double angle = geometry::angleBetween(heightNormal(h), part.at(line.x[i], line.y[i]).normal) * 180.0 / M_PI;
       errors.mean += angle;
       errors.max = std::max(errors.max, angle);
     }

@@ -79,7 +79,8 @@ TEST(Cell, PackageAddressesAreLookedUp) {
   const std::filesystem::path parent = ::testing::TempDir() + "/packages";
   std::filesystem::create_directories(parent / "some_robot/urdf");
   std::ofstream(parent / "some_robot/urdf/arm.urdf") << "x";
-  EXPECT_EQ(resolveFile("package://some_robot/urdf/arm.urdf", {"/nowhere", parent}), parent / "some_robot/urdf/arm.urdf");
+  EXPECT_EQ(resolveFile("package://some_robot/urdf/arm.urdf", {"/nowhere", parent}),
+            parent / "some_robot/urdf/arm.urdf");
   EXPECT_EQ(resolveFile("package://some_robot/urdf/arm.urdf", {parent / "some_robot"}),
             parent / "some_robot/urdf/arm.urdf");
   std::filesystem::create_directories(parent / "checkout");

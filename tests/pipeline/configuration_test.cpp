@@ -80,14 +80,15 @@ TEST(Configuration, ListsLeavesInDeclaredOrder) {
   Outer outer;
   std::vector<std::string> paths;
   for (const auto& field : fieldReferences(outer)) paths.push_back(field.path);
-  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "corners", "inner.length",
-                                            "inner.axis"));
+  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "corners",
+                                            "inner.length", "inner.axis"));
 }
 
 TEST(Configuration, AppliesEveryType) {
   Outer outer;
   applyYaml(fieldReferences(outer),
-            "count: 7\non: true\nname: 'x: y'\ncolour: dark_green\ngains: [3, 4e-3]\nwords: [p]\ncorners: [[1, 2], [-3, 0.25]]\n"
+            "count: 7\non: true\nname: 'x: y'\ncolour: dark_green\ngains: [3, 4e-3]\nwords: [p]\ncorners: [[1, 2], "
+            "[-3, 0.25]]\n"
             "inner:\n  length: 1.5\n  axis: [1, 0, 0.5]\n",
             "t");
   EXPECT_EQ(outer.count, 7);
@@ -131,7 +132,8 @@ TEST(Configuration, RejectsWrongTypes) {
   EXPECT_EQ(yamlError("corners: 3"), "cell.yaml line 1: corners is '3', must be a list of [x, y]");
   EXPECT_EQ(yamlError("corners: [[1, x]]"), "cell.yaml line 1: corners is a list of 1, must be a number [m]");
   EXPECT_EQ(yamlError("\ninner: {length: wide}"), "cell.yaml line 2: inner.length is 'wide', must be a number [m]");
-  EXPECT_EQ(yamlError("inner: {axis: [1, 2]}"), "cell.yaml line 1: inner.axis is a list of 2, must be a list of 3 numbers");
+  EXPECT_EQ(yamlError("inner: {axis: [1, 2]}"),
+            "cell.yaml line 1: inner.axis is a list of 2, must be a list of 3 numbers");
   EXPECT_EQ(yamlError("colour: blue"), "cell.yaml line 1: colour is 'blue', must be one of red, dark_green");
   EXPECT_EQ(yamlError("inner: 3"), "cell.yaml line 1: inner is '3', must be a section");
   EXPECT_EQ(yamlError("count: 1\ncount: 2"), "cell.yaml line 2: key count stands twice");
@@ -189,7 +191,8 @@ TEST(Configuration, AFileThatSetsNothingIsRefused) {
     EXPECT_THAT(error(text), HasSubstr("sets_nothing.yaml: sets nothing")) << text;
   }
   EXPECT_THAT(error("7"), HasSubstr("sets_nothing.yaml: a configuration is sections of keys, this is '7'"));
-  EXPECT_THAT(error("[a, b]"), HasSubstr("sets_nothing.yaml: a configuration is sections of keys, this is a list of 2"));
+  EXPECT_THAT(error("[a, b]"),
+              HasSubstr("sets_nothing.yaml: a configuration is sections of keys, this is a list of 2"));
   EXPECT_EQ(error("count: 4"), "no error");
   EXPECT_EQ(outer.count, 4);
   std::filesystem::remove(file);

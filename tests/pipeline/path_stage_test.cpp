@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "small_scan.h"
 #include "scan_to_path/toolpath/contact_frame.h"
+#include "small_scan.h"
 #include "support/expect_input_error.h"
 #include "support/flat_plate.h"
 

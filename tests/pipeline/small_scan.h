@@ -52,7 +52,8 @@ private:
   static constexpr double width = 0.0085;
 };
 
-/// A ball that does not reach the groove's bottom. Rows and moves are coarse: a partial path is planned many times over.
+/// A ball that does not reach the groove's bottom. Rows and moves are coarse: a partial path is planned many times
+/// over.
 inline JobOptions grooveOptions() {
   JobOptions options;
   options.path.ball_radius = 0.0135;
@@ -64,7 +65,8 @@ inline JobOptions grooveOptions() {
 
 /// A directory of this test's own, empty.
 inline std::filesystem::path freshDirectory(const std::string& name) {
-  const std::filesystem::path directory = std::filesystem::path(::testing::TempDir()) / ("scan_to_path_" + std::to_string(::getpid()) + "_" + name);
+  const std::filesystem::path directory =
+      std::filesystem::path(::testing::TempDir()) / ("scan_to_path_" + std::to_string(::getpid()) + "_" + name);
   std::filesystem::remove_all(directory);
   std::filesystem::create_directories(directory);
   return directory;

@@ -14,8 +14,10 @@ using ::testing::Not;
 TEST(Summary, ShowsFiguresInUnitsPeopleUse) {
   Report report;
   report.stages = {{"scan", 100, 90, {{"no return", 10}}}};
-  report.accuracy = {{"line_residual_rms", 2.5e-6, "m"}, {"path_row_distance_median", 4e-3, "m"},
-                     {"playback_angle", 1e-5, "rad"},    {"duration", 95.25, "s"}};
+  report.accuracy = {{"line_residual_rms", 2.5e-6, "m"},
+                     {"path_row_distance_median", 4e-3, "m"},
+                     {"playback_angle", 1e-5, "rad"},
+                     {"duration", 95.25, "s"}};
   const auto lines = summarise(report, {}, {});
   EXPECT_THAT(lines, Contains(HasSubstr("100 in, 90 out, 10 no return")));
   EXPECT_THAT(lines, Contains(HasSubstr("2.50 um")));
@@ -31,11 +33,13 @@ TEST(Summary, NamesWhatFailsAndCountsTheRest) {
   path.segments = {{"row_7", std::vector<toolpath::Waypoint>(20)}};
   std::vector<toolpath::WaypointVerdict> verdicts;
   for (int i = 0; i < 20; ++i) {
-    verdicts.push_back({0, i, toolpath::Verdict::speed, -1.0, "rad/s", "joint_4 needs 7.9 rad/s, limit 6.3", "lower the feed"});
+    verdicts.push_back(
+        {0, i, toolpath::Verdict::speed, -1.0, "rad/s", "joint_4 needs 7.9 rad/s, limit 6.3", "lower the feed"});
   }
   const auto lines = summarise(report, path, verdicts);
   EXPECT_THAT(lines, Contains(HasSubstr("chord_error is 20.00 um, limit 10.00 um")));
-  EXPECT_THAT(lines, Contains(HasSubstr("row_7 waypoint 4: speed: joint_4 needs 7.9 rad/s, limit 6.3; lower the feed")));
+  EXPECT_THAT(lines,
+              Contains(HasSubstr("row_7 waypoint 4: speed: joint_4 needs 7.9 rad/s, limit 6.3; lower the feed")));
   EXPECT_THAT(lines, Not(Contains(HasSubstr("waypoint 5:"))));
   EXPECT_THAT(lines, Contains(HasSubstr("20 of 20 waypoints: speed")));
 }

@@ -183,9 +183,9 @@ TEST(UnseenShare, AlternatingPitchesAreNoGap) {
 // A post of 4 mm by 4 mm on a plate, nearer than the sensor sees: little of the part, and all the way in the way.
 TEST(UnseenShare, WhatIsTooNearStandsInTheWayAsHighAsTheSensorWent) {
   auto surfaces = plates({{-0.03, 0.03, -0.03, 0.03}});
-  surfaces.push_back(std::make_shared<geometry::PosedSurface>(
-      std::make_shared<FlatPart>(Rectangle{-0.002, 0.002, -0.002, 0.002}),
-      geometry::makeFrame({0.0, 0.0, 0.04}, Vector3::Zero())));
+  surfaces.push_back(
+      std::make_shared<geometry::PosedSurface>(std::make_shared<FlatPart>(Rectangle{-0.002, 0.002, -0.002, 0.002}),
+                                               geometry::makeFrame({0.0, 0.0, 0.04}, Vector3::Zero())));
   const FitStage fit = fitted(surfaces);
   ASSERT_FALSE(fit.scan.obstacles.empty());
   const Cell cell = makeCell(CellOptions(), source_package);

@@ -97,7 +97,7 @@ TEST(ScanLineRows, StretchesOfARowAreItsPieces) {
   ASSERT_EQ(plan.rows.size(), 42U);
   EXPECT_EQ(plan.rows[20].pieces, 2);
   EXPECT_EQ(plan.rows[21].piece, 1);
-  EXPECT_NEAR(plan.rows[20].points.back().t, 0.1, 1e-12);   // no margin at a cut inside the part
+  EXPECT_NEAR(plan.rows[20].points.back().t, 0.1, 1e-12);  // no margin at a cut inside the part
   EXPECT_NEAR(plan.rows[21].points.front().t, 0.15, 1e-12);
   EXPECT_EQ(plan.distances.size(), 40U);
 }

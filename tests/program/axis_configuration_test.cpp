@@ -50,11 +50,12 @@ TEST(AxisConfiguration, CfxFollowsAbbTable) {
   const struct {
     double axis_2, axis_3, axis_5;
     int cfx;
-  } rows[] = {{0, 0, 20, 0},     {0, 0, -20, 1},     {30, -100, 20, 2}, {30, -100, -20, 3},
-              {-90, 0, 20, 4},   {-90, 0, -20, 5},   {0, -100, 20, 6},  {0, -100, -20, 7}};
+  } rows[] = {{0, 0, 20, 0},   {0, 0, -20, 1},   {30, -100, 20, 2}, {30, -100, -20, 3},
+              {-90, 0, 20, 4}, {-90, 0, -20, 5}, {0, -100, 20, 6},  {0, -100, -20, 7}};
   for (const auto& row : rows) {
     for (const double axis_1 : {-170.0, -60.0, 0.0, 100.0}) {
-      const auto found = axisConfiguration(test::irb2400(), joints({axis_1, row.axis_2, row.axis_3, 10, row.axis_5, 0}));
+      const auto found =
+          axisConfiguration(test::irb2400(), joints({axis_1, row.axis_2, row.axis_3, 10, row.axis_5, 0}));
       EXPECT_EQ(found.cfx, row.cfx) << axis_1 << " " << row.axis_2 << " " << row.axis_3 << " " << row.axis_5;
     }
   }

@@ -54,7 +54,8 @@ TEST(BlendRadius, AParabolaStaysWithinTheTolerance) {
     const auto vector = [&] { return Vector3(random.gaussian(), random.gaussian(), random.gaussian()); };
     const Vector3 p = vector();
     const Vector3 in = random.uniform(1e-3, 0.1) * vector().normalized();
-    const Vector3 out = random.uniform(1e-3, 0.1) * (in.normalized() + random.uniform(0.01, 2.0) * vector()).normalized();
+    const Vector3 out =
+        random.uniform(1e-3, 0.1) * (in.normalized() + random.uniform(0.01, 2.0) * vector()).normalized();
     const double tolerance = random.uniform(1e-6, 1e-3);
     const double radius = blendRadius(p - in, p, p + out, tolerance);
     ASSERT_LE(radius, 0.5 * std::min(in.norm(), out.norm()) * (1 + 1e-12));

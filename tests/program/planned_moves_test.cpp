@@ -29,7 +29,7 @@ ProgramInput corner(bool process_on) {
 TEST(PlannedMoves, ZonesAreRoundedDownWithinTheTolerance) {
   // Straight: half the spacing, 5 mm, which is a step. Corner: 10 um / sin 45 degrees = 14.1 um, rounded down.
   const auto on = plannedMoves(corner(true));
-  EXPECT_EQ(on[0].zone, 0.0);   // the process starts behind it
+  EXPECT_EQ(on[0].zone, 0.0);  // the process starts behind it
   EXPECT_EQ(on[1].zone, 5e-3);
   EXPECT_EQ(on[2].zone, 10e-6);
   EXPECT_EQ(on[4].zone, 5e-3);

@@ -35,8 +35,8 @@ inline void addWaypoint(program::ProgramInput& input, const robot::JointVector& 
   const geometry::Frame T_base_tcp = robot::forwardKinematics(input.robot, q) * input.T_tip_tcp;
   const int segment = static_cast<int>(input.path.segments.size()) - 1;
   auto& waypoints = input.path.segments.back().waypoints;
-  waypoints.push_back({input.T_base_path.inverse() * T_base_tcp * input.path.T_contact_tcp.inverse(), feed,
-                       process_on, 0.0});
+  waypoints.push_back(
+      {input.T_base_path.inverse() * T_base_tcp * input.path.T_contact_tcp.inverse(), feed, process_on, 0.0});
   const int index = static_cast<int>(waypoints.size()) - 1;
   input.plan.trajectory.points.push_back({0.0, segment, index, q});
   input.plan.verdicts.push_back({segment, index, toolpath::Verdict::ok, 0.1, "rad", "", ""});

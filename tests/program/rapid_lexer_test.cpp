@@ -10,9 +10,10 @@ namespace scan_to_path::program {
 namespace {
 
 TEST(RapidLexer, WordsNumbersAndSymbols) {
-  const auto tokens = rapidTokens("%%%\nVERSION:1\n%%%\nMoveL p_1:=[-1.5,9E+09,.25,3.] ! not this\n\\\"a \"\"b\"\"\"<>", "f");
-  const char* texts[] = {"movel", "p_1", ":=", "[", "-", "1.5", ",", "9E+09", ",", ".25", ",", "3.", "]", "\\",
-                         "a \"b\"", "<>", ""};
+  const auto tokens =
+      rapidTokens("%%%\nVERSION:1\n%%%\nMoveL p_1:=[-1.5,9E+09,.25,3.] ! not this\n\\\"a \"\"b\"\"\"<>", "f");
+  const char* texts[] = {"movel", "p_1", ":=", "[", "-",  "1.5",     ",",  "9E+09", ",",
+                         ".25",   ",",   "3.", "]", "\\", "a \"b\"", "<>", ""};
   ASSERT_EQ(tokens.size(), std::size(texts));
   for (std::size_t i = 0; i < tokens.size(); ++i) EXPECT_EQ(tokens[i].text, texts[i]) << i;
   EXPECT_DOUBLE_EQ(tokens[5].number, 1.5);

@@ -17,9 +17,10 @@ TEST(RapidNames, LegalNames) {
 }
 
 TEST(RapidNames, NamesThatAControllerRefuses) {
-  for (const char* name : {"", "1a", "_a", "a-b", "a b", "a.b", "t\xc3\xb6ol", "abcdefghijklmnopqrstuvwxyz_123456",
-                           "IF", "if", "EndProc", "module", "tool0", "WObj0", "fine", "MoveL", "v100", "Z5", "true",
-                           "num", "robtarget", "main"}) {
+  for (const char* name :
+       {"",     "1a", "_a",      "a-b",    "a b",       "a.b",   "t\xc3\xb6ol", "abcdefghijklmnopqrstuvwxyz_123456",
+        "IF",   "if", "EndProc", "module", "tool0",     "WObj0", "fine",        "MoveL",
+        "v100", "Z5", "true",    "num",    "robtarget", "main"}) {
     EXPECT_FALSE(isRapidName(name)) << name;
     test::expectInputError([&] { checkRapidName("program.tool_name", name); }, "program.tool_name: name is '");
   }
@@ -38,9 +39,7 @@ TEST(RapidNames, MadeNamesAreLegalForAnyText) {
   EXPECT_EQ(rapidName("s0_", "row 3/b", "_1"), "s0_row3b_1");
 }
 
-TEST(RapidNames, CommentsArePrintableAscii) {
-  EXPECT_EQ(asciiLine("a\nENDMODULE\t\x7f\xc3\xa9~"), "a?ENDMODULE????~");
-}
+TEST(RapidNames, CommentsArePrintableAscii) { EXPECT_EQ(asciiLine("a\nENDMODULE\t\x7f\xc3\xa9~"), "a?ENDMODULE????~"); }
 
 }  // namespace
 }  // namespace scan_to_path::program

@@ -98,9 +98,8 @@ TEST(RapidReader, PredefinedSpeedsAndZones) {
 
 TEST(RapidReader, SequenceStopsAndModules) {
   const std::string second = "MODULE N\nPROC Second()\n" + move + "\nStop;\nEXIT;\nENDPROC\nENDMODULE";
-  const auto program = readRapid({{"x.pgf", "not RAPID"},
-                                  {"m.mod", inMain("Stop;" + move + "Second;" + move)},
-                                  {"n.MOD", second}});
+  const auto program =
+      readRapid({{"x.pgf", "not RAPID"}, {"m.mod", inMain("Stop;" + move + "Second;" + move)}, {"n.MOD", second}});
   ASSERT_EQ(program.moves.size(), 2u);
   EXPECT_TRUE(program.moves[0].after_stop);
   EXPECT_FALSE(program.moves[1].after_stop);
@@ -108,7 +107,8 @@ TEST(RapidReader, SequenceStopsAndModules) {
 }
 
 TEST(RapidReader, CountsWaitsWhileTheProcessRuns) {
-  const auto waitBefore = [](const std::string& statements, const std::string& routine, const std::string& signal = "do1") {
+  const auto waitBefore = [](const std::string& statements, const std::string& routine,
+                             const std::string& signal = "do1") {
     RapidReadOptions options;
     options.process_signal = signal;
     const std::string text = "MODULE M\nCONST num long:=3;\nPROC main()\n" + statements + move + move +
@@ -184,15 +184,19 @@ TEST(RapidReader, GivesUpOnExplosiveText) {
   test::expectInputError([&] { readRapid({{"m.mod", inMain("MoveL d40,v100,fine,tool0;", data)}}); }, "too large");
   const std::string deep = std::string(100000, '(') + "1" + std::string(100000, ')');
   test::expectInputError([&] { readRapid({{"m.mod", inMain("WaitTime " + deep + ";")}}); }, "too deeply");
-  test::expectInputError([&] { readRapid({{"m.mod", inMain("WaitTime " + std::string(100000, '-') + "1;")}}); },
-                         "too deeply");
+  test::expectInputError(
+      [&] {
+        readRapid({{"m.mod", inMain("WaitTime " + std::string(100000, '-') + "1;")}});
+      },
+      "too deeply");
 }
 
 // Bytes and words of valid programs changed at random: an InputError or a program, nothing else.
 TEST(RapidReader, SurvivesSeededMutations) {
   const auto file = std::string(SCAN_TO_PATH_SOURCE_DIR) + "/tests/program/fixtures/hand_written.mod";
   const std::string texts[] = {readFile(file), writeProgram(Controller::abb, test::seededInput(1, 1, 5)).at(1).content};
-  const char* words[] = {"MoveL", "[", "]", ":=", "PROC", "ENDPROC", "9E9", "\"", "IF", "ENDIF", ";", "(", "-", "/0", "!"};
+  const char* words[] = {"MoveL", "[",     "]", ":=", "PROC", "ENDPROC", "9E9", "\"",
+                         "IF",    "ENDIF", ";", "(",  "-",    "/0",      "!"};
   Random random(11);
   int read = 0;
   for (int round = 0; round < 4000; ++round) {
@@ -201,10 +205,18 @@ TEST(RapidReader, SurvivesSeededMutations) {
       const auto at = static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size()));
       const auto length = static_cast<std::size_t>(random.uniform(0, 12));
       switch (random.bits() % 4) {
-        case 0: text[at] = static_cast<char>(random.bits()); break;
-        case 1: text.erase(at, length); break;
-        case 2: text.insert(at, words[random.bits() % std::size(words)]); break;
-        default: text.insert(at, text.substr(random.bits() % text.size(), length)); break;
+        case 0:
+          text[at] = static_cast<char>(random.bits());
+          break;
+        case 1:
+          text.erase(at, length);
+          break;
+        case 2:
+          text.insert(at, words[random.bits() % std::size(words)]);
+          break;
+        default:
+          text.insert(at, text.substr(random.bits() % text.size(), length));
+          break;
       }
     }
     try {

@@ -58,17 +58,18 @@ TEST(RapidValues, RotationsOfQuaternionsByRodrigues) {
     const auto pose = RapidPose::fromQuaternion({std::cos(angle / 2), s * axis.x(), s * axis.y(), s * axis.z()}, {});
     for (int j = 0; j < 3; ++j) {
       const geometry::Vector3 e = geometry::Vector3::Unit(j);
-      const geometry::Vector3 turned = e * std::cos(angle) + axis.cross(e) * std::sin(angle) +
-                                       axis * axis.dot(e) * (1 - std::cos(angle));
+      const geometry::Vector3 turned =
+          e * std::cos(angle) + axis.cross(e) * std::sin(angle) + axis * axis.dot(e) * (1 - std::cos(angle));
       EXPECT_LT((pose.frame().linear().col(j) - turned).norm(), 1e-14) << angle;
     }
   }
 }
 
 TEST(RapidValues, WrongShapesAreNamed) {
-  const Data data("CONST zonedata z:=[FALSE,-1,0,0,0,0,0];PERS wobjdata w:=[TRUE,TRUE,\"\",[],[]];"
-                  "PERS tooldata t:=[TRUE,[[0,0,0],[1,0,0]],[]];CONST speeddata v:=[1,2,3];CONST num s:=1+TRUE;"
-                  "CONST robtarget p:=[[0,0,0],[1,0,0,0],[0,0.5,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];");
+  const Data data(
+      "CONST zonedata z:=[FALSE,-1,0,0,0,0,0];PERS wobjdata w:=[TRUE,TRUE,\"\",[],[]];"
+      "PERS tooldata t:=[TRUE,[[0,0,0],[1,0,0]],[]];CONST speeddata v:=[1,2,3];CONST num s:=1+TRUE;"
+      "CONST robtarget p:=[[0,0,0],[1,0,0,0],[0,0.5,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];");
   const auto& values = data.values();
   const auto scope = data.scope();
   test::expectInputError([&] { values.zone(Data::name("z"), scope); }, "zone is negative");

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path_ros/conversions.h"
 
-#include <boost/make_shared.hpp>
 #include <gmock/gmock.h>
 #include <ros/serialization.h>
+#include <boost/make_shared.hpp>
 
 #include <cstring>
 #include <limits>

@@ -109,9 +109,11 @@ TEST_F(RecordingTest, RefusesWhatIsNoWholeScan) {
   expectRefused([](auto& m) { m.joints[4].name[0] = "joint_9"; }, "joint state 4 is of other joints");
   expectRefused([](auto& m) { m.joints[4].position[0] = std::nan(""); }, "joint state 4 is not finite");
   expectRefused([](auto& m) { m.samples[9].header.stamp += ros::Duration(3.0); }, "nothing comes for 3");
-  expectRefused([](auto& m) {
-    for (auto& joints : m.joints) joints.header.stamp += ros::Duration(100.0);
-  }, "do not overlap");
+  expectRefused(
+      [](auto& m) {
+        for (auto& joints : m.joints) joints.header.stamp += ros::Duration(100.0);
+      },
+      "do not overlap");
 }
 
 TEST_F(RecordingTest, RefusesFilesThatAreNoBagOrCutShort) {

@@ -214,7 +214,7 @@ TEST_F(SamplePlacerTest, HandsOnCloudBeamAndCounts) {
   EXPECT_EQ(stage.cloud->size(), 2U);
   EXPECT_EQ(stage.cloud->width, 2U);
   EXPECT_EQ(stage.cloud->header.frame_id, "base_link");
-  EXPECT_EQ(stage.cloud->header.stamp, 100020000U);                                      // [us]
+  EXPECT_EQ(stage.cloud->header.stamp, 100020000U);                                     // [us]
   EXPECT_LT((stage.mean_beam - core::geometry::Vector3(0.0, 0.0, -1.0)).norm(), 1e-9);  // roundedDirection's digits
   EXPECT_EQ(placer_.samplesIn(), 0U);
   EXPECT_TRUE(placer_.acknowledged().isZero());

@@ -98,9 +98,7 @@ TEST(Background, FreeStandingPartLosesNothing) {
 TEST(Background, StepsAndPocketsLoseNothing) {
   EXPECT_EQ(backgroundOf(plateScan(), [](double x, double) { return x < 0.05 ? 0.0 : -0.01; }), 0u);
   EXPECT_EQ(backgroundOf(plateScan(), [](double, double y) { return y < 0.041 ? 0.0 : -0.01; }), 0u);
-  const auto pocket = [](double x, double y) {
-    return x > 0.02 && x < 0.08 && y > 0.018 && y < 0.062 ? -0.012 : 0.0;
-  };
+  const auto pocket = [](double x, double y) { return x > 0.02 && x < 0.08 && y > 0.018 && y < 0.062 ? -0.012 : 0.0; };
   EXPECT_EQ(backgroundOf(plateScan(), pocket), 0u);
 }
 

@@ -29,7 +29,8 @@ FittedScan rowsOver(const std::function<double(double)>& height, int rows = 41) 
 }
 
 TEST(BetweenRows, ACubicIsKnown) {
-  const BetweenRows between = estimateBetweenRows(rowsOver([](double y) { return y + 5.0 * y * y - 30.0 * y * y * y; }));
+  const BetweenRows between =
+      estimateBetweenRows(rowsOver([](double y) { return y + 5.0 * y * y - 30.0 * y * y * y; }));
   EXPECT_GE(between.points, 37U * 99U);
   EXPECT_LT(between.largest, 1e-12);  // rounding: 1e-16 of heights below 0.3 m, times weights
 }

@@ -103,8 +103,8 @@ TEST(CloudIo, CompressedFieldsLieOneAfterTheOther) {
   const std::string packed = literalLzf(columns);
   const std::string text =
       "# .PCD v0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 100\nHEIGHT 1\nPOINTS 100\n"
-      "DATA binary_compressed\n" + bytesOf(static_cast<std::uint32_t>(packed.size())) +
-      bytesOf(static_cast<std::uint32_t>(columns.size())) + packed;
+      "DATA binary_compressed\n" +
+      bytesOf(static_cast<std::uint32_t>(packed.size())) + bytesOf(static_cast<std::uint32_t>(columns.size())) + packed;
   const CloudFile file = parseCloud(text, "f");
   ASSERT_EQ(file.cloud.size(), 100u);
   for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(file.cloud[i].z, cloud[i].z);
@@ -120,7 +120,8 @@ TEST(CloudIo, PlyWithoutFaces) {
   EXPECT_EQ(file.cloud[0].line, no_line);
   EXPECT_EQ(file.cloud[1].line, 8u);
   EXPECT_DOUBLE_EQ(file.cloud[1].time, 0.5);
-  expectInputError([&] { parseCloud(header + "nan 2 3 -1 0\nnan 5 6 8 0\n", "f.ply"); }, "finite coordinates is 0 of 2");
+  expectInputError([&] { parseCloud(header + "nan 2 3 -1 0\nnan 5 6 8 0\n", "f.ply"); },
+                   "finite coordinates is 0 of 2");
 }
 
 TEST(CloudIo, RefusesWhatIsNoCloud) {
@@ -132,7 +133,8 @@ TEST(CloudIo, RefusesWhatIsNoCloud) {
   fails("# .PCD v0.7\nFIELDS x y\nPOINTS 1\nDATA ascii\n1 2\n", "f: field z is missing");
   fails("# .PCD v0.7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n", "f line 3: number of entries after SIZE is 2, must be 3");
   fails("# .PCD v0.7\nFIELDS x y z\nPOINTS 1\nDATA zip\n", "f line 4: DATA is unknown");
-  fails("# .PCD v0.7\nFIELDS x y z\nPOINTS 4000000000\nDATA binary\nabcdefghijklm", "number of points is 4000000000, must be at most the 1");
+  fails("# .PCD v0.7\nFIELDS x y z\nPOINTS 4000000000\nDATA binary\nabcdefghijklm",
+        "number of points is 4000000000, must be at most the 1");
   fails("# .PCD v0.7\nFIELDS x y z\nPOINTS 2\nDATA ascii\n1 2 3\n", "number of points is 2, must be at most the 1");
   fails("# .PCD v0.7\nFIELDS x y z\nPOINTS 1\nDATA ascii\n1 2\n", "f line 5: number of values is 2, must be 3");
   fails("# .PCD v0.7\nFIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 q\n", "f line 5: z is not a number");
@@ -145,7 +147,8 @@ TEST(CloudIo, DamagedFilesAreReadOrRefused) {
   Random random(2);
   for (int round = 0; round < 2000; ++round) {
     std::string damaged = text.substr(0, static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size())));
-    for (int k = 0; k < 3 && !damaged.empty(); ++k) damaged[random.bits() % std::min<std::size_t>(damaged.size(), 250)] = static_cast<char>(random.bits());
+    for (int k = 0; k < 3 && !damaged.empty(); ++k)
+      damaged[random.bits() % std::min<std::size_t>(damaged.size(), 250)] = static_cast<char>(random.bits());
     try {
       EXPECT_LE(parseCloud(damaged, "damaged").cloud.size(), damaged.size());
     } catch (const InputError&) {

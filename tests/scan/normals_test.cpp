@@ -13,8 +13,8 @@ namespace scan_to_path::scan {
 namespace {
 
 using geometry::HeightJet;
-using test::measureAccuracy;
 using test::freeStanding;
+using test::measureAccuracy;
 using test::RasterScan;
 
 /// A smooth bowl without noise: 0.1 m by 0.06 m.

@@ -33,7 +33,8 @@ TEST(Obstacles, OfEachSquareTheHighestPointIsKept) {
   const Obstacles kept = highestPoints(points, 0.001);
   ASSERT_EQ(kept.size(), highest.size());
   for (const auto& p : kept) {
-    EXPECT_EQ(p.z(), highest.at({static_cast<int>(std::floor(p.x() / 0.001)), static_cast<int>(std::floor(p.y() / 0.001))}));
+    EXPECT_EQ(p.z(),
+              highest.at({static_cast<int>(std::floor(p.x() / 0.001)), static_cast<int>(std::floor(p.y() / 0.001))}));
   }
 }
 

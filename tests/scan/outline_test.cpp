@@ -73,7 +73,8 @@ TEST(Outline, OneQuadrilateral) {
 }
 
 TEST(Outline, AHoleIsClockwiseAndReachesTheRowsAroundIt) {
-  const Outline outline = traceOutline(rowsOf({{{0, 10}}, {{0, 10}}, {{0, 4}, {6, 10}}, {{0, 4}, {6, 10}}, {{0, 10}}, {{0, 10}}}));
+  const Outline outline =
+      traceOutline(rowsOf({{{0, 10}}, {{0, 10}}, {{0, 4}, {6, 10}}, {{0, 4}, {6, 10}}, {{0, 10}}, {{0, 10}}}));
   ASSERT_EQ(outline.polygons.size(), 2u);
   EXPECT_DOUBLE_EQ(area(outline.polygons[0]), 50.0);
   EXPECT_DOUBLE_EQ(area(outline.polygons[1]), -6.0);
@@ -127,8 +128,10 @@ TEST(Outline, InsideAgreesWithTheWindingNumber) {
       if (!test.inside(x, y)) continue;
       ASSERT_GE(row, 0.0);  // a point of the part lies between pieces of both rows
       double low = 1e9, high = -1e9;
-      for (const auto& [begin, end] : ranges[static_cast<std::size_t>(row)]) low = std::min(low, begin), high = std::max(high, end);
-      for (const auto& [begin, end] : ranges[static_cast<std::size_t>(row) + 1]) low = std::min(low, begin), high = std::max(high, end);
+      for (const auto& [begin, end] : ranges[static_cast<std::size_t>(row)])
+        low = std::min(low, begin), high = std::max(high, end);
+      for (const auto& [begin, end] : ranges[static_cast<std::size_t>(row) + 1])
+        low = std::min(low, begin), high = std::max(high, end);
       EXPECT_TRUE(x >= low && x <= high);
     }
   }

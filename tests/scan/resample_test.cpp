@@ -30,7 +30,8 @@ FittedLine waveLine(double amplitude) {
 std::vector<double> distances(const FittedLine& line, const std::vector<double>& parameters) {
   std::vector<double> result;
   for (std::size_t i = 1; i < parameters.size(); ++i) {
-    result.push_back((nurbs::pointAt(line.curve, parameters[i]) - nurbs::pointAt(line.curve, parameters[i - 1])).norm());
+    result.push_back(
+        (nurbs::pointAt(line.curve, parameters[i]) - nurbs::pointAt(line.curve, parameters[i - 1])).norm());
   }
   return result;
 }

@@ -50,7 +50,8 @@ TEST(SampleLog, KeepsEveryChannelOnItsOwnTicks) {
 }
 
 TEST(SampleLog, TakesBlanksExponentsAndDosLineEnds) {
-  const SampleLog log = parseSampleLog("# scan_to_path samples 1\r\nt, a ,voltage\r\n 0 , 1e3 , +2.5 \r\n\r\n1,2,3", "log.csv");
+  const SampleLog log =
+      parseSampleLog("# scan_to_path samples 1\r\nt, a ,voltage\r\n 0 , 1e3 , +2.5 \r\n\r\n1,2,3", "log.csv");
   EXPECT_THAT(log.joint_names, ElementsAre("a"));
   EXPECT_THAT(log.counts, ElementsAre(1000.0, 2.0));
   EXPECT_THAT(log.voltage, ElementsAre(2.5, 3.0));

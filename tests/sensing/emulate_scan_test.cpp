@@ -58,7 +58,8 @@ TEST(EmulateScan, SPartTakesFortyRowsAndIsSeenWhole) {
   EXPECT_EQ(scan.range.samples, scan.log.voltage.size());
   EXPECT_EQ(scan.range.too_near + scan.range.too_far + scan.range.nothing, 0U);
   EXPECT_NEAR(scan.range.farthest, 0.104, 1e-9);  // the table
-  EXPECT_THAT(scan.log.joint_names, testing::ElementsAre("joint_1", "joint_2", "joint_3", "joint_4", "joint_5", "joint_6"));
+  EXPECT_THAT(scan.log.joint_names,
+              testing::ElementsAre("joint_1", "joint_2", "joint_3", "joint_4", "joint_5", "joint_6"));
 }
 
 TEST(EmulateScan, NoiseOnTheLogHasItsSigma) {
@@ -248,17 +249,18 @@ TEST(EmulateScan, ReportsProgressAndCanBeCancelled) {
   std::vector<std::string> stages;
   double before = 0.0;
   cell.emulate({}, 1, Progress([&](const std::string& stage, double fraction) {
-    if (stages.empty() || stages.back() != stage) {
-      stages.push_back(stage);
-      before = 0.0;
-    }
-    EXPECT_GE(fraction, before);
-    EXPECT_LE(fraction, 1.0);
-    before = fraction;
-  }));
+                 if (stages.empty() || stages.back() != stage) {
+                   stages.push_back(stage);
+                   before = 0.0;
+                 }
+                 EXPECT_GE(fraction, before);
+                 EXPECT_LE(fraction, 1.0);
+                 before = fraction;
+               }));
   EXPECT_THAT(stages, testing::ElementsAre("planning the scan", "scanning", "reading encoders"));
   std::atomic<bool> is_cancelled{false};
-  const Progress cancelling([&](const std::string& stage, double) { is_cancelled = stage == "scanning"; }, &is_cancelled);
+  const Progress cancelling([&](const std::string& stage, double) { is_cancelled = stage == "scanning"; },
+                            &is_cancelled);
   EXPECT_THROW(cell.emulate({}, 2, cancelling), Interrupted);
 }
 

@@ -187,7 +187,8 @@ TEST(JointReadings, BadLogsAreNamed) {
     spoil(log);
     test::expectInputError([&] { JointReadings(log, robot, encoders, max_gap); }, part);
   };
-  expectError([](auto& log) { log.joint_names[1] = "bb"; }, "no column for joint b of robot two, the nearest column is");
+  expectError([](auto& log) { log.joint_names[1] = "bb"; },
+              "no column for joint b of robot two, the nearest column is");
   expectError([](auto& log) { log.counts.pop_back(); }, "number of counts is 5, must be 2 for each of 3 readings");
   expectError([](auto& log) { log.joint_time[2] = 0.01; }, "joint reading 2: time is 0.010000 s");
   expectError([](auto& log) { log.joint_time[0] = -std::numeric_limits<double>::infinity(); }, "joint reading 0: time");

@@ -270,8 +270,7 @@ TEST(PlaceSamples, TheControllersAxisHasLimitsToo) {
   SensingCell cell = SensingCell::small();
   const auto log = cell.emulate({}).log;
   cell.robot.coupled_axis->upper = cell.robot.coupled_axis->lower + 0.01;
-  test::expectInputError([&] { cell.place(log); },
-                         "sample 0 at 0.000000 s: controller axis joint_2 + joint_3 is ");
+  test::expectInputError([&] { cell.place(log); }, "sample 0 at 0.000000 s: controller axis joint_2 + joint_3 is ");
   test::expectInputError([&] { cell.emulate({}); }, "controller axis joint_2 + joint_3 is ");
 }
 

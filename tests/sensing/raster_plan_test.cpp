@@ -155,8 +155,11 @@ TEST(RasterPlan, BadInputIsNamed) {
   options = {};
   options.speed = std::nan("");
   test::expectInputError([&] { planRaster(sPartRectangle(), options); }, "raster.speed is nan");
-  test::expectInputError([] { planRaster({Eigen::Vector2d(0, 0), Eigen::Vector2d(0.24, 0)}, {}); },
-                         "raster: extent along y is 0.000000 m, must be positive and finite");
+  test::expectInputError(
+      [] {
+        planRaster({Eigen::Vector2d(0, 0), Eigen::Vector2d(0.24, 0)}, {});
+      },
+      "raster: extent along y is 0.000000 m, must be positive and finite");
   test::expectInputError([] { planRaster(Eigen::AlignedBox2d(), {}); }, "extent along x");
 }
 

@@ -16,8 +16,8 @@ struct DenseSplineFit {
 };
 
 inline Eigen::MatrixXd collocationMatrix(const nurbs::LineSamples& samples, const std::vector<double>& knots) {
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples.count),
-                                            static_cast<Eigen::Index>(knots.size()) - 4);
+  Eigen::MatrixXd A =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples.count), static_cast<Eigen::Index>(knots.size()) - 4);
   for (std::size_t i = 0; i < samples.count; ++i) {
     const std::size_t span = nurbs::findSpan(knots, 3, samples.u[i]);
     double basis[4];

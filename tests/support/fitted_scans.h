@@ -78,8 +78,8 @@ inline scan::FittedScan fittedScan(const Height& f, const geometry::Rectangle& a
   scan::FittedScan scan;
   scan.T_cloud_scan = T;
   scan.surface = heightSurface(f, area, count_x, count_y);
-  scan.outline.polygons = {{{area.x_min, area.y_min}, {area.x_max, area.y_min}, {area.x_max, area.y_max},
-                            {area.x_min, area.y_max}}};
+  scan.outline.polygons = {
+      {{area.x_min, area.y_min}, {area.x_max, area.y_min}, {area.x_max, area.y_max}, {area.x_min, area.y_max}}};
   const int rows = static_cast<int>((area.y_max - area.y_min) / pitch + 0.5) + 1;
   scan.pitch = (area.y_max - area.y_min) / (rows - 1);
   for (int row = 0; row < rows; ++row) {

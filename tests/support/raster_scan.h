@@ -20,17 +20,17 @@ using HeightFunction = std::function<std::optional<double>(double x, double y)>;
 struct RasterScan {
   double x_min = -0.01;
   double x_max = 0.25;
-  std::vector<double> rows;    ///< y of each row [m]
-  double spacing = 50e-6;      ///< [m]
-  double speed = 0.05;         ///< [m/s]
-  bool zigzag = true;          ///< one-way scans jump back between rows, the sensor off
-  bool turns = true;           ///< zig-zag: samples on the way from row to row
-  double noise = 0.0;          ///< sigma along the beam [m]
-  double clock_offset = 0.0;   ///< sensor after encoders [s]: shifts rows along their travel direction
-  double spikes = 0.0;         ///< share of samples
-  double spike_min = 0.0002;   ///< [m], either sign
+  std::vector<double> rows;   ///< y of each row [m]
+  double spacing = 50e-6;     ///< [m]
+  double speed = 0.05;        ///< [m/s]
+  bool zigzag = true;         ///< one-way scans jump back between rows, the sensor off
+  bool turns = true;          ///< zig-zag: samples on the way from row to row
+  double noise = 0.0;         ///< sigma along the beam [m]
+  double clock_offset = 0.0;  ///< sensor after encoders [s]: shifts rows along their travel direction
+  double spikes = 0.0;        ///< share of samples
+  double spike_min = 0.0002;  ///< [m], either sign
   double spike_max = 0.005;
-  double drop_outs = 0.0;      ///< share of samples
+  double drop_outs = 0.0;  ///< share of samples
   std::uint64_t seed = 1;
   geometry::Frame T_cloud_scan = geometry::Frame::Identity();
 };

@@ -27,8 +27,7 @@ inline geometry::Frame randomFrame(Random& random, double reach = 1.0) {
 }
 
 /// A ray from a point about `centre` at `distance` towards a point within `spread` of the centre.
-inline geometry::Ray randomRayTowards(Random& random, const geometry::Vector3& centre, double distance,
-                                      double spread) {
+inline geometry::Ray randomRayTowards(Random& random, const geometry::Vector3& centre, double distance, double spread) {
   const geometry::Vector3 origin = centre + distance * randomDirection(random);
   const geometry::Vector3 target = centre + randomVector(random, spread);
   return {origin, (target - origin).normalized()};

@@ -4,6 +4,4 @@
 
 /// urdfdom never frees a description that it refuses when joints form a loop. Tests feed it such descriptions; the leak
 /// checker is told to look away from that library. Include in one source of an executable.
-extern "C" __attribute__((used)) inline const char* __lsan_default_suppressions() {
-  return "leak:liburdfdom_model\n";
-}
+extern "C" __attribute__((used)) inline const char* __lsan_default_suppressions() { return "leak:liburdfdom_model\n"; }

@@ -48,8 +48,8 @@ TEST(BallTool, IsThePrintedProductOfTransforms) {
   const double r = 0.013, lead = 0.2, tilt = -0.4;
   const auto about = [](const Vector3& axis, double angle) { return Frame(Eigen::AngleAxisd(angle, axis)); };
   const Frame up(Eigen::Translation3d(0, 0, r));
-  const Frame expected = up * about(Vector3::UnitY(), lead) * about(Vector3::UnitX(), tilt) * up.inverse() *
-                         about(Vector3::UnitX(), M_PI);
+  const Frame expected =
+      up * about(Vector3::UnitY(), lead) * about(Vector3::UnitX(), tilt) * up.inverse() * about(Vector3::UnitX(), M_PI);
   EXPECT_LT((ballToolFrame({r, lead, tilt}).matrix() - expected.matrix()).norm(), 3.0 * rounding);
 }
 

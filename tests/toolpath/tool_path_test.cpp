@@ -65,7 +65,8 @@ TEST(ToolPath, MeasuresArcLengthFromEachSegmentsStart) {
   const ToolPath path = test::planeRows(2, 0.004, 0.1, 4);
   EXPECT_EQ(waypointCount(path), 10U);
   for (const auto& segment : path.segments) {
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(segment.waypoints[i].arc_length, 0.025 * static_cast<double>(i), 1e-15);
+    for (std::size_t i = 0; i < 5; ++i)
+      EXPECT_NEAR(segment.waypoints[i].arc_length, 0.025 * static_cast<double>(i), 1e-15);
   }
 }
 

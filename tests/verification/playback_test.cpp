@@ -32,7 +32,8 @@ struct World {
       for (std::size_t i = 0; i < path.segments[s].waypoints.size(); ++i) {
         q.array() += 0.01;
         const Frame T_base_tip = test::denavitHartenberg(q.data());
-        path.segments[s].waypoints[i].pose = T_base_path.inverse() * T_base_tip * T_tip_tcp * path.T_contact_tcp.inverse();
+        path.segments[s].waypoints[i].pose =
+            T_base_path.inverse() * T_base_tip * T_tip_tcp * path.T_contact_tcp.inverse();
         trajectory.points.push_back({0.0, static_cast<int>(s), static_cast<int>(i), q});
       }
     }
@@ -70,9 +71,14 @@ TEST(Playback, MeasuresTheChordsOfJointLinearMoves) {
   double widest = 0.0;
   for (std::size_t k = 1; k < world.trajectory.points.size(); ++k) {
     const auto& to = world.trajectory.points[k];
-    if (!world.path.segments[static_cast<std::size_t>(to.segment)].waypoints[static_cast<std::size_t>(to.index)].process_on) continue;
+    if (!world.path.segments[static_cast<std::size_t>(to.segment)]
+             .waypoints[static_cast<std::size_t>(to.index)]
+             .process_on)
+      continue;
     const auto& from = world.trajectory.points[k - 1];
-    const auto tcp = [&](const JointVector& q) { return geometry::Vector3((test::denavitHartenberg(q.data()) * world.T_tip_tcp).translation()); };
+    const auto tcp = [&](const JointVector& q) {
+      return geometry::Vector3((test::denavitHartenberg(q.data()) * world.T_tip_tcp).translation());
+    };
     const geometry::Vector3 a = tcp(from.q), b = tcp(to.q), m = tcp(0.5 * (from.q + to.q));
     widest = std::max(widest, (m - a).cross(b - a).norm() / (b - a).norm());
   }

@@ -58,8 +58,8 @@ toolpath::ToolPath plannedSPart(double direction, double ball_radius = radius) {
 
 TEST(ScallopCheck, FindsThePlanesCusps) {
   for (const double pitch : {0.002, 0.004, 0.006}) {
-    const auto report = checkScallops(test::planeRows(5, pitch, 0.1, 7), radius,
-                                      planePoints(0.0, 0.1, 0.0, 4.0 * pitch), limit);
+    const auto report =
+        checkScallops(test::planeRows(5, pitch, 0.1, 7), radius, planePoints(0.0, 0.1, 0.0, 4.0 * pitch), limit);
     EXPECT_EQ(report.uncut, 0U);
     // The cusp lies on a grid point to 1.3e-5 m and falls by pitch / (2 r) beside it.
     EXPECT_NEAR(report.highest, toolpath::scallopHeight(pitch, radius, 0.0), 1.3e-5 * pitch / (2.0 * radius) + 1e-12);
@@ -79,7 +79,8 @@ TEST(ScallopCheck, FindsTheExactRulesCuspsOnACylinder) {
     for (auto& waypoint : path.segments[static_cast<std::size_t>(row)].waypoints) {
       const double angle = row * L / rho;
       const Vector3 n(std::cos(angle), std::sin(angle), 0.0);  // the cylinder's axis is z
-      waypoint.pose = toolpath::contactFrame(rho * n + waypoint.pose.translation().x() * Vector3::UnitZ(), n, Vector3::UnitZ());
+      waypoint.pose =
+          toolpath::contactFrame(rho * n + waypoint.pose.translation().x() * Vector3::UnitZ(), n, Vector3::UnitZ());
     }
   }
   std::vector<SurfacePoint> points;
@@ -95,7 +96,9 @@ TEST(ScallopCheck, AgreesWithBruteForce) {
   Random random(1);
   toolpath::ToolPath path = test::planeRows(3, 0.005, 0.03, 3);
   for (auto& segment : path.segments) {
-    for (auto& waypoint : segment.waypoints) waypoint.pose = waypoint.pose * geometry::makeFrame(test::randomVector(random, 3e-4), test::randomVector(random, 0.02));
+    for (auto& waypoint : segment.waypoints)
+      waypoint.pose =
+          waypoint.pose * geometry::makeFrame(test::randomVector(random, 3e-4), test::randomVector(random, 0.02));
   }
   for (int i = 0; i < 100; ++i) {
     const Vector3 q(random.uniform(0.002, 0.028), random.uniform(0.0, 0.01), 0.0);
@@ -194,7 +197,8 @@ TEST(ScallopCheck, SamplesWhatTheRaysHit) {
   const auto points = sampleSurface(geometry::SPart(), grid);
   EXPECT_GE(points.size(), 24U * 11U);
   EXPECT_LE(points.size(), 25U * 11U);
-  for (const SurfacePoint& p : points) EXPECT_NEAR(p.point.z(), geometry::SPart().jet(p.point.x(), p.point.y()).z, 1e-9);
+  for (const SurfacePoint& p : points)
+    EXPECT_NEAR(p.point.z(), geometry::SPart().jet(p.point.x(), p.point.y()).z, 1e-9);
 }
 
 TEST(ScallopCheck, RejectsBadArguments) {

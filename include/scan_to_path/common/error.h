@@ -14,8 +14,7 @@ public:
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
 
   /// "WHERE: QUANTITY is VALUE, must be LIMIT", e.g. "samples.csv line 17: voltage is inf, must be finite".
-  InputError(const std::string& where, const std::string& quantity, const std::string& value,
-             const std::string& limit)
+  InputError(const std::string& where, const std::string& quantity, const std::string& value, const std::string& limit)
       : std::runtime_error(where + ": " + quantity + " is " + value + ", must be " + limit) {}
 };
 

@@ -39,8 +39,8 @@ public:
   const Rectangle& rectangle() const { return rectangle_; }
 
   /// Steps along the ray so far as f's bending leaves no room for a hit: never past one, and quadratic near it.
-  std::optional<RayHit> castRay(const Ray& ray, double max_distance = std::numeric_limits<double>::infinity())
-      const override;
+  std::optional<RayHit> castRay(const Ray& ray,
+                                double max_distance = std::numeric_limits<double>::infinity()) const override;
 
   /// Newton's method on the foot point within the rectangle. Exact nearest within 1 / bending of the surface, where
   /// a foot point is the only one; farther away the best of a search from all minima over a grid.

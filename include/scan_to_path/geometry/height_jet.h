@@ -6,7 +6,7 @@ namespace scan_to_path::geometry {
 
 /// Height and its partial derivatives at one place.
 struct HeightJet {
-  double z = 0.0;    ///< [m]
+  double z = 0.0;  ///< [m]
   double zx = 0.0;
   double zy = 0.0;
   double zxx = 0.0;  ///< [1/m]

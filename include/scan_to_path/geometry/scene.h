@@ -16,8 +16,8 @@ public:
   /// Throws InputError without a surface.
   PosedSurface(std::shared_ptr<const Surface> surface, const Frame& T_base_workpiece);
 
-  std::optional<RayHit> castRay(const Ray& ray, double max_distance = std::numeric_limits<double>::infinity())
-      const override;
+  std::optional<RayHit> castRay(const Ray& ray,
+                                double max_distance = std::numeric_limits<double>::infinity()) const override;
   SurfacePoint closestPoint(const Vector3& p) const override;
 
   const Frame& T_base_workpiece() const { return T_base_workpiece_; }
@@ -40,11 +40,10 @@ public:
   explicit Scene(std::vector<std::shared_ptr<const Surface>> surfaces);
 
   /// The nearest hit of all surfaces and whose it is; the earlier surface wins a tie.
-  std::optional<Hit> castRayAtAll(const Ray& ray,
-                                  double max_distance = std::numeric_limits<double>::infinity()) const;
+  std::optional<Hit> castRayAtAll(const Ray& ray, double max_distance = std::numeric_limits<double>::infinity()) const;
 
-  std::optional<RayHit> castRay(const Ray& ray, double max_distance = std::numeric_limits<double>::infinity())
-      const override;
+  std::optional<RayHit> castRay(const Ray& ray,
+                                double max_distance = std::numeric_limits<double>::infinity()) const override;
   SurfacePoint closestPoint(const Vector3& p) const override;
 
 private:

@@ -16,9 +16,9 @@ struct Ray {
 };
 
 struct RayHit {
-  double distance = 0.0;               ///< along the ray [m]
-  Vector3 point = Vector3::Zero();     ///< [m]
-  Vector3 normal = Vector3::UnitZ();   ///< unit, outward of the part (not turned towards the ray)
+  double distance = 0.0;              ///< along the ray [m]
+  Vector3 point = Vector3::Zero();    ///< [m]
+  Vector3 normal = Vector3::UnitZ();  ///< unit, outward of the part (not turned towards the ray)
 };
 
 struct SurfacePoint {
@@ -41,10 +41,10 @@ public:
 
 /// Signed principal curvatures at a surface point: convex (seen from outside) is positive.
 struct PrincipalCurvatures {
-  double k_min = 0.0;                            ///< [1/m]
-  double k_max = 0.0;                            ///< [1/m]
-  Vector3 direction_min = Vector3::UnitX();      ///< unit, tangent
-  Vector3 direction_max = Vector3::UnitY();      ///< unit, tangent
+  double k_min = 0.0;                        ///< [1/m]
+  double k_max = 0.0;                        ///< [1/m]
+  Vector3 direction_min = Vector3::UnitX();  ///< unit, tangent
+  Vector3 direction_max = Vector3::UnitY();  ///< unit, tangent
 };
 
 }  // namespace scan_to_path::geometry

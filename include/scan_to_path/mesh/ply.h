@@ -16,9 +16,9 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;        ///< of the value, or of a list's entries
+  PlyType type = PlyType::float32;  ///< of the value, or of a list's entries
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;    ///< of a list's length; always an integer type
+  PlyType count_type = PlyType::uint8;  ///< of a list's length; always an integer type
 };
 
 struct PlyElement {

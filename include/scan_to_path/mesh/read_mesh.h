@@ -23,10 +23,10 @@ const char* meshFormatName(MeshFormat format);
 
 /// A mesh and what became of the file's faces.
 struct MeshFile {
-  TriangleMesh mesh;                     ///< in the file's own unit
+  TriangleMesh mesh;  ///< in the file's own unit
   MeshFormat format = MeshFormat::none;
-  std::size_t faces = 0;                 ///< in the file, polygons counted once
-  std::size_t dropped_degenerate = 0;    ///< triangles without an area, left out
+  std::size_t faces = 0;               ///< in the file, polygons counted once
+  std::size_t dropped_degenerate = 0;  ///< triangles without an area, left out
 };
 
 /// Reads PLY (ascii and binary), STL (ascii and binary; equal vertices become one), OBJ (v and f) or OFF (ascii).

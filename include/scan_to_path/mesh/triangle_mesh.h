@@ -13,8 +13,8 @@ namespace scan_to_path::mesh {
 
 /// Indexed triangles, counter-clockwise seen from outside.
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;               ///< [m]
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices into vertices
+  std::vector<Eigen::Vector3d> vertices;                ///< [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into vertices
 
   /// Box of all vertices [m]; empty (isEmpty()) without any.
   Eigen::AlignedBox3d bounds() const;

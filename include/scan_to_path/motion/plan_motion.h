@@ -57,9 +57,9 @@ Frame tipPose(const Frame& T_base_contact, const Frame& T_contact_tcp, const Fra
 /// motion stays within chord_tolerance of the straight line. Times as in timing.h.
 ///
 /// Limits of joints and of the robot's coupled axis are looked at alike. Where a joint would be too fast the feed is
-/// lowered (driven_feed.h). Verdicts: unreachable, joint_limit, singular, jump and speed (moves with the process on that
-/// would have to be slower still; others just take longer), the first of them in this order. A waypoint that is ok has
-/// the margin that is smallest relative to its limit.
+/// lowered (driven_feed.h). Verdicts: unreachable, joint_limit, singular, jump and speed (moves with the process on
+/// that would have to be slower still; others just take longer), the first of them in this order. A waypoint that is ok
+/// has the margin that is smallest relative to its limit.
 ///
 /// Poses are in the robot's base: throws InputError when path.frame is another one, when the path is empty, and for a
 /// pose or a feed that is not finite or a feed that is not positive. Throws Interrupted.

@@ -7,7 +7,8 @@
 
 namespace scan_to_path::motion {
 
-/// The move that leads to a waypoint: the largest values over its pieces, per joint (or the controller's axis in its place).
+/// The move that leads to a waypoint: the largest values over its pieces, per joint (or the controller's axis in its
+/// place).
 struct Arrival {
   JointVector nearest_limit;  ///< the point between that comes nearest to a joint limit; empty without any
   JointVector step;           ///< between neighbouring points [rad]

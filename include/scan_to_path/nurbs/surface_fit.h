@@ -33,13 +33,13 @@ struct SurfaceFitOptions {
 
 /// A fitted height surface with the evidence for it.
 struct SurfaceFit {
-  Surface surface;           ///< bicubic, points (u, v, w): control points at (Greville u, Greville v, w)
-  int count_u = 0;           ///< control points along u
-  int count_v = 0;           ///< control points along v
-  std::size_t samples = 0;   ///< samples fitted
-  double parameters = 0.0;   ///< control points with a sample in their support
-  double rms = 0.0;          ///< sqrt(RSS / n) [m]
-  double sigma = 0.0;        ///< noise estimate sqrt(RSS / (n - parameters)) [m]
+  Surface surface;          ///< bicubic, points (u, v, w): control points at (Greville u, Greville v, w)
+  int count_u = 0;          ///< control points along u
+  int count_v = 0;          ///< control points along v
+  std::size_t samples = 0;  ///< samples fitted
+  double parameters = 0.0;  ///< control points with a sample in their support
+  double rms = 0.0;         ///< sqrt(RSS / n) [m]
+  double sigma = 0.0;       ///< noise estimate sqrt(RSS / (n - parameters)) [m]
 };
 
 /// Least-squares bicubic height function on nearly uniform knots over the samples' bounding rectangle, its numbers of

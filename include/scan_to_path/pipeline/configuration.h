@@ -56,7 +56,8 @@ std::vector<FieldReference> fieldReferences(Options& options, const std::string&
 /// Overwrites the fields that a YAML text names and returns their paths. `source` stands in messages. Throws InputError
 /// with the line for text that is not YAML or of several documents, an unknown key (naming the nearest one), a value of
 /// the wrong type, a key given twice.
-std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const std::string& text, const std::string& source);
+std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const std::string& text,
+                                const std::string& source);
 
 /// The same with a file, whose name stands in messages. A file that sets nothing is refused: it is a broken one, or not
 /// the one that was meant. Throws InputError as applyYaml does, and when the file cannot be read.

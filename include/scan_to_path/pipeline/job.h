@@ -31,8 +31,8 @@ struct JobRequest {
   std::optional<InputKind> input_kind;  ///< by content when not given
   std::optional<Units> units;           ///< of clouds and meshes; metres, checked for plausibility, when not given
   Stage stop_after = Stage::program;
-  int threads = 1;                      ///< 0: all
-  std::uint64_t seed = 1;               ///< written to the report; cutting draws no random numbers
+  int threads = 1;         ///< 0: all
+  std::uint64_t seed = 1;  ///< written to the report; cutting draws no random numbers
   std::filesystem::path out;
   /// Leave out waypoints that fail and write a program of the rest (partialStage); the exit status stays 1. Tolerances
   /// and read-backs that fail are never overridden.

@@ -23,10 +23,12 @@ struct ScanSection {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.beam, Field{"beam", "", "viewing direction of a cloud that does not bring one, in its own frame", -1.0, 1.0});
+    visit(self.beam,
+          Field{"beam", "", "viewing direction of a cloud that does not bring one, in its own frame", -1.0, 1.0});
     visit(self.placement, Field{"placement"});
-    visit(self.correct_clock_offset,
-          Field{"correct_clock_offset", "", "place samples with the estimated offset of the clocks, not only report it"});
+    visit(
+        self.correct_clock_offset,
+        Field{"correct_clock_offset", "", "place samples with the estimated offset of the clocks, not only report it"});
     visit(self.clock_offset, Field{"clock_offset"});
     std::decay_t<decltype(self.cloud)>::fields(self.cloud, visit);
   }
@@ -54,19 +56,27 @@ struct ReportOptions {
     visit(self.max_line_residual,
           Field{"max_line_residual", "m", "RMS of samples off the fitted lines; 0: no limit", 0.0, 1.0});
     visit(self.max_surface_residual,
-          Field{"max_surface_residual", "m", "RMS of samples off the fitted surface, for rows on it; 0: no limit", 0.0, 1.0});
-    visit(self.max_between_rows,
-          Field{"max_between_rows", "m", "RMS of what may be off between scan rows, for rows on the surface; scan finer, or use path.row_source scan_lines; 0: no limit", 0.0, 1.0});
-    visit(self.max_unseen_share,
-          Field{"max_unseen_share", "", "share of the part's rows that may not be seen: see unseen_share; more where they are holes", 0.0, 1.0});
+          Field{"max_surface_residual", "m", "RMS of samples off the fitted surface, for rows on it; 0: no limit", 0.0,
+                1.0});
+    visit(self.max_between_rows, Field{"max_between_rows", "m",
+                                       "RMS of what may be off between scan rows, for rows on the surface; scan finer, "
+                                       "or use path.row_source scan_lines; 0: no limit",
+                                       0.0, 1.0});
+    visit(
+        self.max_unseen_share,
+        Field{"max_unseen_share", "",
+              "share of the part's rows that may not be seen: see unseen_share; more where they are holes", 0.0, 1.0});
     visit(self.note_unseen_share,
-          Field{"note_unseen_share", "", "a larger share of rows that was not seen is noted: see unseen_share", 0.0, 1.0});
-    visit(self.max_reference_path,
-          Field{"max_reference_path", "m", "largest distance of the path from plan --reference; 0: no limit", 0.0, 1.0});
+          Field{"note_unseen_share", "", "a larger share of rows that was not seen is noted: see unseen_share", 0.0,
+                1.0});
+    visit(self.max_reference_path, Field{"max_reference_path", "m",
+                                         "largest distance of the path from plan --reference; 0: no limit", 0.0, 1.0});
     visit(self.max_reference_cut,
           Field{"max_reference_cut", "m", "deepest cut into plan --reference; 0: no limit", 0.0, 1.0});
-    visit(self.max_reference_scallop,
-          Field{"max_reference_scallop", "m", "largest scallop left on plan --reference; 0: no limit, as rows along an edge leave more than path.scallop_height there", 0.0, 1.0});
+    visit(self.max_reference_scallop, Field{"max_reference_scallop", "m",
+                                            "largest scallop left on plan --reference; 0: no limit, as rows along an "
+                                            "edge leave more than path.scallop_height there",
+                                            0.0, 1.0});
   }
 };
 

@@ -24,8 +24,8 @@ namespace scan_to_path::pipeline {
 /// A scan cloud in base_link (or in the frame of the file it came from), how it was looked at, and what is known of it.
 struct ScanStage {
   std::shared_ptr<const scan::ScanCloud> cloud;  ///< never null; shared, so that handing it on copies no point
-  Vector3 mean_beam = -Vector3::UnitZ();  ///< unit viewing direction in the cloud's frame
-  scan::NoReturns no_returns;             ///< of a sample log; a cloud does not tell
+  Vector3 mean_beam = -Vector3::UnitZ();         ///< unit viewing direction in the cloud's frame
+  scan::NoReturns no_returns;                    ///< of a sample log; a cloud does not tell
   StageReport report;
   std::vector<Accuracy> accuracy;
   std::vector<std::string> notes;

@@ -44,13 +44,17 @@ struct CuttingOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.row_source, Field{"row_source", "", "scan_lines: along the scan's own rows; surface: any pitch and direction"});
-    visit(self.normals, Field{"normals", "", "of scan_lines: weighted, seed (its own rule) or surface; surface rows take the surface's"});
+    visit(self.row_source,
+          Field{"row_source", "", "scan_lines: along the scan's own rows; surface: any pitch and direction"});
+    visit(self.normals,
+          Field{"normals", "",
+                "of scan_lines: weighted, seed (its own rule) or surface; surface rows take the surface's"});
     visit(self.ball_radius, Field{"ball_radius", "m", "of the ball end mill", 1e-4, 1.0});
     visit(self.scallop_height, Field{"scallop_height", "m", "material that may be left between rows", 1e-7, 0.1});
     visit(self.pitch, Field{"pitch", "m", "distance of the rows' planes; 0: from scallop_height", 0.0, 1.0});
     visit(self.direction, Field{"direction", "rad", "of surface rows in the scan plane, from its x axis", -7.0, 7.0});
-    visit(self.chord_tolerance, Field{"chord_tolerance", "m", "of straight moves off the row, at contact and ball centre", 1e-7, 1e-2});
+    visit(self.chord_tolerance,
+          Field{"chord_tolerance", "m", "of straight moves off the row, at contact and ball centre", 1e-7, 1e-2});
     visit(self.max_spacing, Field{"max_spacing", "m", "of waypoints along a row", 1e-4, 1.0});
     visit(self.edge_margin, Field{"edge_margin", "m", "kept from the part's outline", 0.0, 1.0});
     visit(self.lead, Field{"lead", "rad", "leans the tool's shank towards the feed direction", -1.3, 1.3});
@@ -59,9 +63,11 @@ struct CuttingOptions {
     visit(self.stock, Field{"stock", "m", "allowance on the part, taken off in passes along the normal", 0.0, 1.0});
     visit(self.depth_of_cut, Field{"depth_of_cut", "m", "most that one pass takes off", 1e-6, 1.0});
     visit(self.feed, Field{"feed", "m/s", "while cutting", 1e-5, 10.0});
-    visit(self.gouge_tolerance, Field{"gouge_tolerance", "m", "depth of the ball in the surface that is still no gouge", 0.0, 0.01});
-    visit(self.region,
-          Field{"region", "m", "corners [x, y] in the work object frame of what is machined, seen along its z; none: all", -100.0, 100.0});
+    visit(self.gouge_tolerance,
+          Field{"gouge_tolerance", "m", "depth of the ball in the surface that is still no gouge", 0.0, 0.01});
+    visit(self.region, Field{"region", "m",
+                             "corners [x, y] in the work object frame of what is machined, seen along its z; none: all",
+                             -100.0, 100.0});
     visit(self.skip_rows, Field{"skip_rows", "", "numbers of rows that are not driven, such as 3, 7-9"});
     visit(self.reverse_rows, Field{"reverse_rows", "", "numbers of rows that are driven the other way round"});
     visit(self.leads, Field{"leads", "", "runs onto and off a row"});

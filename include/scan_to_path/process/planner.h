@@ -36,7 +36,7 @@ struct PlannedPath {
   std::vector<toolpath::WaypointVerdict> findings;  ///< waypoints that are not ok (gouge), in path order
   std::vector<Figure> figures;                      ///< rows, pitch, length, scallop height, …
   std::vector<double> allowances;                   ///< stock that each segment leaves on the surface [m]
-  std::vector<RowPart> parts;                     ///< where each segment comes from in the path as first planned
+  std::vector<RowPart> parts;                       ///< where each segment comes from in the path as first planned
 };
 
 /// What turns a part into a tool path for one process.

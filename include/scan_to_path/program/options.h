@@ -45,10 +45,13 @@ struct ProgramOptions {
           Field{"tool_centre_of_gravity", "m", "centre of gravity of the load, in the flange frame", -5.0, 5.0});
     visit(self.tool_inertia,
           Field{"tool_inertia", "kg m^2", "moments of inertia about the centre of gravity; 0: point mass", 0.0, 1e4});
-    visit(self.dry_offset, Field{"dry_offset", "m", "air run: shift of the whole path, process off, 5 mm over air_tolerance or more; 0: real run", 0.0, 2.0});
+    visit(
+        self.dry_offset,
+        Field{"dry_offset", "m",
+              "air run: shift of the whole path, process off, 5 mm over air_tolerance or more; 0: real run", 0.0, 2.0});
     visit(self.dry_direction, Field{"dry_direction", "", "direction of dry_offset in the work object's frame"});
-    visit(self.zone_tolerance,
-          Field{"zone_tolerance", "m", "how far blending may leave the lines between waypoints, process on", 0.0, 0.01});
+    visit(self.zone_tolerance, Field{"zone_tolerance", "m",
+                                     "how far blending may leave the lines between waypoints, process on", 0.0, 0.01});
     visit(self.air_tolerance, Field{"air_tolerance", "m", "the same between moves with the process off", 0.0, 0.1});
     visit(self.zone_orientation, Field{"zone_orientation", "rad", "largest turn inside a zone", 0.0, 1.0});
     visit(self.start_speed, Field{"start_speed", "m/s", "speed of the move to the first waypoint", 1e-3, 0.25});
@@ -60,7 +63,8 @@ struct ProgramOptions {
     visit(self.process_off, Field{"process_off", "", "routine that stops the process"});
     visit(self.process_signal, Field{"process_signal", "", "digital output set by those routines; empty: none"});
     visit(self.process_delay,
-          Field{"process_delay", "s", "wait at a stop after process_signal is set, for a spindle to reach its speed", 0.0, 600.0});
+          Field{"process_delay", "s", "wait at a stop after process_signal is set, for a spindle to reach its speed",
+                0.0, 600.0});
     visit(self.moves_per_routine, Field{"moves_per_routine", "", "moves in one routine", 1, 5000});
     visit(self.moves_per_module, Field{"moves_per_module", "", "moves in one module file", 1, 50000});
     visit(self.comments, Field{"comments", "", "lines added to the program's header"});

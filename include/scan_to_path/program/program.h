@@ -39,8 +39,8 @@ struct ProgramInput {
 };
 
 /// Writes the program for one controller. Throws InputError when the input cannot be a program: numbers that are not
-/// finite, a waypoint without joint angles, a feed of 0, above max_speed or above the path's, names the controller would refuse, a path
-/// that is not lifted by dry_offset.
+/// finite, a waypoint without joint angles, a feed of 0, above max_speed or above the path's, names the controller
+/// would refuse, a path that is not lifted by dry_offset.
 std::vector<ProgramFile> writeProgram(Controller controller, const ProgramInput& input);
 
 /// Something that the written program does and the plan does not, or the other way round.
@@ -57,9 +57,9 @@ struct ReadBack {
 };
 
 /// Reads the files back with a reader that shares no code with the writer and compares every move with the plan:
-/// order, positions to 1 um, angles to 0.001 degree, feeds (the plan's, and none above the path's), process on and off, zones, axis configuration, first
-/// joint target (also through forward kinematics), tool, load, ranges of the controller's axes. No discrepancy: the program says what was
-/// planned. At most `limit` of them are listed.
+/// order, positions to 1 um, angles to 0.001 degree, feeds (the plan's, and none above the path's), process on and off,
+/// zones, axis configuration, first joint target (also through forward kinematics), tool, load, ranges of the
+/// controller's axes. No discrepancy: the program says what was planned. At most `limit` of them are listed.
 ReadBack readBack(Controller controller, const ProgramInput& input, const std::vector<ProgramFile>& files,
                   std::size_t limit = 20);
 

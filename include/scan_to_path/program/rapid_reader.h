@@ -15,7 +15,7 @@ namespace scan_to_path::program {
 struct RapidTool {
   std::string name;
   Frame T_tip_tcp = Frame::Identity();
-  double mass = 0.0;                                              ///< [kg]
+  double mass = 0.0;                                                ///< [kg]
   geometry::Vector3 centre_of_gravity = geometry::Vector3::Zero();  ///< in the flange frame [m]
   geometry::Vector3 inertia = geometry::Vector3::Zero();            ///< [kg m^2]
 };
@@ -25,17 +25,17 @@ enum class RapidMoveType { absolute_joint, joint, linear };  // MoveAbsJ, MoveJ,
 /// One move, in the order in which `main` drives it.
 struct RapidMove {
   RapidMoveType type = RapidMoveType::linear;
-  Frame T_base_tcp = Frame::Identity();      ///< target; identity for absolute_joint
-  std::array<double, 6> axes{};              ///< target as the controller counts axes [rad]; for absolute_joint
-  std::array<int, 4> configuration{};        ///< cf1, cf4, cf6, cfx
-  double speed = 0.0;                        ///< [m/s]
-  double orientation_speed = 0.0;            ///< [rad/s]
-  bool stop = false;                         ///< a stop point (fine)
-  double zone = 0.0;                         ///< radius of the path zone [m]; 0 at a stop point
-  bool process_on = false;                   ///< while driving to the target
-  double process_wait = 0.0;                 ///< waited since the process was switched on, before this move [s]
-  bool after_stop = false;                   ///< the program waits for the operator (Stop) before it
-  int tool = 0;                              ///< index into RapidProgram::tools
+  Frame T_base_tcp = Frame::Identity();  ///< target; identity for absolute_joint
+  std::array<double, 6> axes{};          ///< target as the controller counts axes [rad]; for absolute_joint
+  std::array<int, 4> configuration{};    ///< cf1, cf4, cf6, cfx
+  double speed = 0.0;                    ///< [m/s]
+  double orientation_speed = 0.0;        ///< [rad/s]
+  bool stop = false;                     ///< a stop point (fine)
+  double zone = 0.0;                     ///< radius of the path zone [m]; 0 at a stop point
+  bool process_on = false;               ///< while driving to the target
+  double process_wait = 0.0;             ///< waited since the process was switched on, before this move [s]
+  bool after_stop = false;               ///< the program waits for the operator (Stop) before it
+  int tool = 0;                          ///< index into RapidProgram::tools
   std::string file;
   int line = 0;
 };

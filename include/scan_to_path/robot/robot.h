@@ -49,7 +49,7 @@ struct Robot {
   std::string tip_link;
   std::vector<std::string> link_names;  ///< every link of the URDF, for name clashes
   std::vector<Joint> joints;
-  Frame T_last_tip = Frame::Identity();  ///< tip_link in the last movable joint's frame
+  Frame T_last_tip = Frame::Identity();     ///< tip_link in the last movable joint's frame
   std::optional<CoupledAxis> coupled_axis;  ///< a URDF does not say it: see axis_coupling.h
 
   int dof() const { return static_cast<int>(joints.size()); }

@@ -23,12 +23,20 @@ struct BackgroundOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.mode, Field{"mode", "", "automatic: look for a table plane; none: all is part; height: all up to `height` is background"});
-    visit(self.height, Field{"height", "m", "coordinate of the table along the beam, in the cloud's frame, against the beam (mode height)"});
-    visit(self.tolerance, Field{"tolerance", "m", "samples this near to the table's plane, or beyond it, are background", 1e-6, 1.0});
+    visit(self.mode,
+          Field{"mode", "",
+                "automatic: look for a table plane; none: all is part; height: all up to `height` is background"});
+    visit(self.height,
+          Field{"height", "m",
+                "coordinate of the table along the beam, in the cloud's frame, against the beam (mode height)"});
+    visit(self.tolerance,
+          Field{"tolerance", "m", "samples this near to the table's plane, or beyond it, are background", 1e-6, 1.0});
     visit(self.min_samples, Field{"min_samples", "", "fewer samples do not make a table", 3, 1e9});
-    visit(self.border_share, Field{"border_share", "", "share of the rows that must end on the table, at both ends of x or of y", 0.0, 1.0});
-    visit(self.min_length, Field{"min_length", "m", "shorter pieces of the part are dropped with the table", 0.0, 10.0});
+    visit(
+        self.border_share,
+        Field{"border_share", "", "share of the rows that must end on the table, at both ends of x or of y", 0.0, 1.0});
+    visit(self.min_length,
+          Field{"min_length", "m", "shorter pieces of the part are dropped with the table", 0.0, 10.0});
   }
 };
 

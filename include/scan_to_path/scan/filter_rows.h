@@ -19,12 +19,14 @@ struct FilterOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.jump_height, Field{"jump_height", "m", "a larger change of height from sample to sample may be a depth jump", 1e-6, 1.0});
+    visit(self.jump_height,
+          Field{"jump_height", "m", "a larger change of height from sample to sample may be a depth jump", 1e-6, 1.0});
     visit(self.jump_angle, Field{"jump_angle", "rad", "a depth jump is steeper than this", 0.1, 1.57});
     visit(self.min_run, Field{"min_run", "", "fewer samples between depth jumps are spikes or edge mixtures", 1, 1000});
     visit(self.spike_threshold, Field{"spike_threshold", "sigma", "residual that makes a sample a spike", 1.0, 100.0});
     visit(self.spike_floor, Field{"spike_floor", "m", "smaller residuals are never spikes", 0.0, 1.0});
-    visit(self.max_gap, Field{"max_gap", "m", "a longer gap between samples, in space, cuts the row; at least five samples", 0.0, 1.0});
+    visit(self.max_gap, Field{"max_gap", "m",
+                              "a longer gap between samples, in space, cuts the row; at least five samples", 0.0, 1.0});
     visit(self.min_length, Field{"min_length", "m", "shorter pieces are dropped", 0.0, 10.0});
   }
 };

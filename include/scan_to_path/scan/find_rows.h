@@ -17,7 +17,8 @@ struct RowOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.window, Field{"window", "m", "distance over which the travel direction is taken; at least three samples", 1e-5, 0.1});
+    visit(self.window,
+          Field{"window", "m", "distance over which the travel direction is taken; at least three samples", 1e-5, 0.1});
     visit(self.max_time_gap, Field{"max_time_gap", "s", "a longer silence starts a new row", 0.0, 1e6});
     visit(self.min_length, Field{"min_length", "m", "shorter runs are turns, not rows", 0.0, 10.0});
     visit(self.min_samples, Field{"min_samples", "", "runs of fewer samples are turns, not rows", 4, 1e6});

@@ -41,7 +41,9 @@ struct FitOptions {
     visit(self.lines, Field{"lines", "", "how rows become curves"});
     visit(self.with_surface, Field{"with_surface", "", "fit a surface through all rows as well"});
     visit(self.surface, Field{"surface", "", "how many control points the surface gets"});
-    visit(self.normals, Field{"normals", "", "weighted: differences across the rows, second order; seed: its four triangles; surface: of the fitted surface"});
+    visit(self.normals, Field{"normals", "",
+                              "weighted: differences across the rows, second order; seed: its four triangles; surface: "
+                              "of the fitted surface"});
   }
 };
 

@@ -24,11 +24,11 @@ struct Dropped {
 
 /// A stretch of one scan row without gap, jump or corner, fitted by a cubic B-spline in the cloud's frame.
 struct FittedLine {
-  int row = 0;           ///< raster row, 0 … in the order across; the stretches of one row share it
-  bool forward = true;   ///< scanned towards +x of the scan frame
-  nurbs::Curve curve;    ///< runs towards +x of the scan frame whatever the scan direction was
-  double begin = 0.0;    ///< curve parameter of the part's boundary, or of the cut, at the line's start
-  double end = 0.0;      ///< … and at its end
+  int row = 0;                 ///< raster row, 0 … in the order across; the stretches of one row share it
+  bool forward = true;         ///< scanned towards +x of the scan frame
+  nurbs::Curve curve;          ///< runs towards +x of the scan frame whatever the scan direction was
+  double begin = 0.0;          ///< curve parameter of the part's boundary, or of the cut, at the line's start
+  double end = 0.0;            ///< … and at its end
   bool begins_at_edge = true;  ///< false where the line was cut at a corner or gap inside the part
   bool ends_at_edge = true;
   std::size_t samples = 0;
@@ -38,10 +38,10 @@ struct FittedLine {
 
 /// A point of a fitted line with what a contact frame needs.
 struct OrientedPoint {
-  Vector3 point = Vector3::Zero();    ///< [m]
-  Vector3 normal = Vector3::UnitZ();  ///< unit, on the sensor's side
-  Vector3 tangent = Vector3::UnitX(); ///< unit, towards +x of the scan frame
-  double parameter = 0.0;             ///< of the fitted line
+  Vector3 point = Vector3::Zero();     ///< [m]
+  Vector3 normal = Vector3::UnitZ();   ///< unit, on the sensor's side
+  Vector3 tangent = Vector3::UnitX();  ///< unit, towards +x of the scan frame
+  double parameter = 0.0;              ///< of the fitted line
 };
 
 /// The oriented points of fitted line number `line`.
@@ -50,7 +50,8 @@ struct OrientedLine {
   std::vector<OrientedPoint> points;
 };
 
-/// The part's extent: closed polygons in the x-y plane of the scan frame, outer ones counter-clockwise, holes clockwise.
+/// The part's extent: closed polygons in the x-y plane of the scan frame, outer ones counter-clockwise, holes
+/// clockwise.
 struct Outline {
   std::vector<std::vector<Eigen::Vector2d>> polygons;  ///< [m]
 };
@@ -67,9 +68,9 @@ struct FittedScan {
   std::size_t samples_in = 0;
   std::size_t samples_used = 0;
   std::vector<Dropped> dropped;
-  double pitch = 0.0;          ///< median distance of neighbouring rows [m]
-  double line_sigma = 0.0;     ///< pooled noise estimate of the lines along the beam [m]
-  double surface_rms = 0.0;    ///< of the samples off the surface along the beam [m]
+  double pitch = 0.0;                 ///< median distance of neighbouring rows [m]
+  double line_sigma = 0.0;            ///< pooled noise estimate of the lines along the beam [m]
+  double surface_rms = 0.0;           ///< of the samples off the surface along the beam [m]
   double between_rows_rms = 0.0;      ///< what the rows leave unknown between them: see BetweenRows [m]
   double between_rows_largest = 0.0;  ///< [m]
 };

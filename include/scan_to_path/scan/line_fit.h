@@ -22,9 +22,11 @@ struct LineFitOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.parameterization, Field{"parameterization", "", "scan_coordinate: x of the scan frame; chord_length; centripetal (the seed's)"});
+    visit(self.parameterization, Field{"parameterization", "",
+                                       "scan_coordinate: x of the scan frame; chord_length; centripetal (the seed's)"});
     visit(self.corner_angle, Field{"corner_angle", "rad", "a sharper bend splits the line", 0.01, 3.2});
-    visit(self.corner_window, Field{"corner_window", "m", "length on each side over which a corner's slopes are taken", 1e-5, 0.1});
+    visit(self.corner_window,
+          Field{"corner_window", "m", "length on each side over which a corner's slopes are taken", 1e-5, 0.1});
     visit(self.control_points, Field{"control_points", "", "how many control points a line gets"});
   }
 };

@@ -17,7 +17,8 @@ struct ResampleOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.spacing, Field{"spacing", "m", "largest distance of points along the line", 1e-6, 1.0});
-    visit(self.chord_error, Field{"chord_error", "m", "largest distance of the curve from the chord between points; 0: any", 0.0, 0.1});
+    visit(self.chord_error,
+          Field{"chord_error", "m", "largest distance of the curve from the chord between points; 0: any", 0.0, 0.1});
   }
 };
 

@@ -22,13 +22,13 @@ enum class PieceEnd {
 
 /// Consecutive samples of one scan row in scan-frame coordinates, ordered towards +x. All arrays have one length.
 struct RowPiece {
-  int row = 0;           ///< 0 … in the order across
-  bool forward = true;   ///< measured towards +x
+  int row = 0;          ///< 0 … in the order across
+  bool forward = true;  ///< measured towards +x
   PieceEnd begins = PieceEnd::border;
   PieceEnd ends = PieceEnd::border;
-  std::vector<double> x;  ///< along the row [m]
-  std::vector<double> y;  ///< across the rows [m]
-  std::vector<double> z;  ///< towards the sensor [m]
+  std::vector<double> x;             ///< along the row [m]
+  std::vector<double> y;             ///< across the rows [m]
+  std::vector<double> z;             ///< towards the sensor [m]
   std::vector<std::uint32_t> index;  ///< of the sample in the cloud
 
   std::size_t size() const { return x.size(); }

@@ -31,4 +31,5 @@ using ScanCloud = pcl::PointCloud<ScanPoint>;
 }  // namespace scan_to_path::scan
 
 POINT_CLOUD_REGISTER_POINT_STRUCT(scan_to_path::scan::ScanPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)(std::uint32_t, line, line)(double, time, time))
+                                  (float, x, x)(float, y, y)(float, z, z)(std::uint32_t, line, line)(double, time,
+                                                                                                     time))

@@ -22,7 +22,8 @@ struct ClockOffsetOptions {
     visit(self.cell, Field{"cell", "m", "spacing along a row at which rows are compared", 1e-5, 0.1});
     visit(self.min_slope, Field{"min_slope", "", "slope along a row from which a place tells something", 1e-6, 1.0});
     visit(self.max_rows, Field{"max_rows", "", "rows looked at, spread over the scan", 8, 100000});
-    visit(self.max_standard_error, Field{"max_standard_error", "s", "above it the offset counts as not observable", 1e-9, 1.0});
+    visit(self.max_standard_error,
+          Field{"max_standard_error", "s", "above it the offset counts as not observable", 1e-9, 1.0});
   }
 };
 

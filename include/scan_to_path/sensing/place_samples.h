@@ -28,19 +28,24 @@ struct PlacementOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.clock_offset, Field{"clock_offset", "s", "added to the sensor's time to get the encoders' time", -1.0, 1.0});
-    visit(self.max_joint_gap, Field{"max_joint_gap", "s", "a sample between joint readings farther apart is dropped", 0.0, 10.0});
-    visit(self.max_joint_jump, Field{"max_joint_jump", "rad", "a larger step of a joint that its motion before and after does not explain is refused; 0: none is", 0.0, 10.0});
+    visit(self.clock_offset,
+          Field{"clock_offset", "s", "added to the sensor's time to get the encoders' time", -1.0, 1.0});
+    visit(self.max_joint_gap,
+          Field{"max_joint_gap", "s", "a sample between joint readings farther apart is dropped", 0.0, 10.0});
+    visit(self.max_joint_jump,
+          Field{"max_joint_jump", "rad",
+                "a larger step of a joint that its motion before and after does not explain is refused; 0: none is",
+                0.0, 10.0});
   }
 };
 
 /// A scan in base_link with the beam it was taken along, and what could not be placed.
 struct PlacedScan {
-  scan::ScanCloud cloud;                ///< line = no_line; time from the log's first sample
+  scan::ScanCloud cloud;                  ///< line = no_line; time from the log's first sample
   Vector3 mean_beam = -Vector3::UnitZ();  ///< unit, the mean viewing direction in base_link
   std::size_t samples_in = 0;
-  std::vector<scan::Dropped> dropped;   ///< "no return", "sensor fault", "no joint reading", …
-  scan::NoReturns no_returns;           ///< of the samples without a return those whose joints are known
+  std::vector<scan::Dropped> dropped;  ///< "no return", "sensor fault", "no joint reading", …
+  scan::NoReturns no_returns;          ///< of the samples without a return those whose joints are known
 };
 
 /// Pulses to joint angles (interpolated to the sensor's time), forward kinematics, p_B = T_BE T_EM (0, 0, d, 1)^T

@@ -21,7 +21,8 @@ struct PointLaserOptions {
     visit(self.distance_min, Field{"distance_min", "m", "distance at voltage_min", 0.0, 100.0});
     visit(self.distance_max, Field{"distance_max", "m", "distance at voltage_max", 0.0, 100.0});
     visit(self.voltage_min, Field{"voltage_min", "V", "output at distance_min", -100.0, 100.0});
-    visit(self.voltage_max, Field{"voltage_max", "V", "output at distance_max; outside the two: no return", -100.0, 100.0});
+    visit(self.voltage_max,
+          Field{"voltage_max", "V", "output at distance_max; outside the two: no return", -100.0, 100.0});
   }
 };
 

@@ -32,7 +32,8 @@ struct RasterOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.pitch, Field{"pitch", "m", "distance of neighbouring rows", 1e-5, 1.0});
-    visit(self.pitch_alternate, Field{"pitch_alternate", "m", "distance of every second pair of rows; 0: pitch", 0.0, 1.0});
+    visit(self.pitch_alternate,
+          Field{"pitch_alternate", "m", "distance of every second pair of rows; 0: pitch", 0.0, 1.0});
     visit(self.speed, Field{"speed", "m/s", "along rows and between them", 1e-4, 10.0});
     visit(self.acceleration, Field{"acceleration", "m/s^2", "of the ramps at both ends of every move", 1e-3, 100.0});
     visit(self.overscan, Field{"overscan", "m", "how far rows go on beyond the part", 0.0, 1.0});
@@ -69,7 +70,7 @@ struct RasterMove {
   bool is_row = true;              ///< false: from one row to the next
   bool is_recorded = true;         ///< false: nothing is logged on the way
   TrapezoidProfile profile{0.0, 1.0, 1.0};
-  double begin = 0.0;              ///< [s] since the first row's start
+  double begin = 0.0;  ///< [s] since the first row's start
 };
 
 struct RasterPlan {

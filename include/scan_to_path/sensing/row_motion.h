@@ -16,8 +16,8 @@ using geometry::Vector3;
 
 /// The sensor at one instant, by the joints.
 struct SensorPose {
-  Vector3 origin = Vector3::Zero();    ///< in base_link [m]
-  Vector3 beam = Vector3::UnitZ();     ///< unit
+  Vector3 origin = Vector3::Zero();  ///< in base_link [m]
+  Vector3 beam = Vector3::UnitZ();   ///< unit
 };
 
 /// The sensor's pose at any time of a log.

@@ -37,10 +37,13 @@ struct ErrorOptions {
     visit(self.noise_sigma, Field{"noise_sigma", "m", "white noise of the range", 0.0, 0.01});
     visit(self.linearity_peak, Field{"linearity_peak", "m", "peak of the range's smooth linearity error", 0.0, 0.01});
     visit(self.linearity_periods, Field{"linearity_periods", "", "of the linearity error over the range", 0.0, 100.0});
-    visit(self.converter_bits, Field{"converter_bits", "bit", "of the converter over the voltage range; 0: exact", 0, 32});
+    visit(self.converter_bits,
+          Field{"converter_bits", "bit", "of the converter over the voltage range; 0: exact", 0, 32});
     visit(self.quantise_encoders, Field{"quantise_encoders", "", "encoders count whole counts"});
-    visit(self.drift_sigma, Field{"drift_sigma", "m", "repeatability: slow drift of the sensor along each axis", 0.0, 0.01});
-    visit(self.drift_correlation, Field{"drift_correlation", "s", "time after which the drift's correlation is 1/e", 0.1, 1e5});
+    visit(self.drift_sigma,
+          Field{"drift_sigma", "m", "repeatability: slow drift of the sensor along each axis", 0.0, 0.01});
+    visit(self.drift_correlation,
+          Field{"drift_correlation", "s", "time after which the drift's correlation is 1/e", 0.1, 1e5});
     visit(self.dropout_rate, Field{"dropout_rate", "", "share of samples without return", 0.0, 1.0});
     visit(self.spike_rate, Field{"spike_rate", "", "share of samples with a spike", 0.0, 1.0});
     visit(self.spike_min, Field{"spike_min", "m", "least size of a spike, of either sign", 0.0, 1.0});

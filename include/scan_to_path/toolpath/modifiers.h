@@ -16,7 +16,8 @@ struct LeadOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.length, Field{"length", "m", "straight run before the first and after the last contact; 0: none", 0.0, 1.0});
+    visit(self.length,
+          Field{"length", "m", "straight run before the first and after the last contact; 0: none", 0.0, 1.0});
     visit(self.angle, Field{"angle", "rad", "of that run over the surface's tangent; 0: tangential", 0.0, 1.5});
   }
 };

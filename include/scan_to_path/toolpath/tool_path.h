@@ -36,10 +36,11 @@ struct Segment {
 };
 
 struct ToolPath {
-  std::string process;                   ///< "cutting", …
-  std::string frame;                     ///< the frame of every pose, e.g. "base_link"
+  std::string process;                      ///< "cutting", …
+  std::string frame;                        ///< the frame of every pose, e.g. "base_link"
   Frame T_contact_tcp = Frame::Identity();  ///< tool centre point in the contact frame, constant along the path
-  geometry::Vector3 lift = geometry::Vector3::Zero();  ///< of an air run off the part [m], in `frame`; zero: on the part
+  geometry::Vector3 lift =
+      geometry::Vector3::Zero();  ///< of an air run off the part [m], in `frame`; zero: on the part
   std::vector<Segment> segments;
 };
 

@@ -12,14 +12,14 @@ using toolpath::WaypointIndex;
 
 /// How far a path's contacts are off a reference surface.
 struct PathDeviation {
-  std::size_t contacts = 0;         ///< waypoints looked at: those with a worked move to or from them
-  double mean = 0.0;                ///< signed distance, positive outside [m]
-  double rms = 0.0;                 ///< [m]
-  double largest = 0.0;             ///< magnitude [m]
+  std::size_t contacts = 0;  ///< waypoints looked at: those with a worked move to or from them
+  double mean = 0.0;         ///< signed distance, positive outside [m]
+  double rms = 0.0;          ///< [m]
+  double largest = 0.0;      ///< magnitude [m]
   WaypointIndex largest_at;
-  double normal_mean = 0.0;         ///< angle between the contact's z and the surface normal [rad]
-  double normal_rms = 0.0;          ///< [rad]
-  double normal_largest = 0.0;      ///< [rad]
+  double normal_mean = 0.0;     ///< angle between the contact's z and the surface normal [rad]
+  double normal_rms = 0.0;      ///< [rad]
+  double normal_largest = 0.0;  ///< [rad]
   WaypointIndex normal_largest_at;
 };
 

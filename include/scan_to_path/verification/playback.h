@@ -11,17 +11,17 @@ namespace scan_to_path::verification {
 
 /// How far a trajectory, played back through forward kinematics, is off the path it was planned for.
 struct PlaybackReport {
-  std::size_t waypoints = 0;        ///< reached by the trajectory
-  std::size_t missing = 0;          ///< of the path, not in the trajectory
-  double position_rms = 0.0;        ///< of the tool centre point at waypoints [m]
-  double position_largest = 0.0;    ///< [m]
+  std::size_t waypoints = 0;      ///< reached by the trajectory
+  std::size_t missing = 0;        ///< of the path, not in the trajectory
+  double position_rms = 0.0;      ///< of the tool centre point at waypoints [m]
+  double position_largest = 0.0;  ///< [m]
   WaypointIndex position_largest_at;
-  double angle_rms = 0.0;           ///< of the tool's attitude at waypoints [rad]
-  double angle_largest = 0.0;       ///< [rad]
+  double angle_rms = 0.0;      ///< of the tool's attitude at waypoints [rad]
+  double angle_largest = 0.0;  ///< [rad]
   WaypointIndex angle_largest_at;
-  double chord_largest = 0.0;       ///< of the tool centre point off the straight worked moves [m]
-  WaypointIndex chord_largest_at;   ///< the waypoint that the move leads to
-  double air_chord_largest = 0.0;   ///< off the straight moves in the air [m]
+  double chord_largest = 0.0;      ///< of the tool centre point off the straight worked moves [m]
+  WaypointIndex chord_largest_at;  ///< the waypoint that the move leads to
+  double air_chord_largest = 0.0;  ///< off the straight moves in the air [m]
   WaypointIndex air_chord_largest_at;
 };
 

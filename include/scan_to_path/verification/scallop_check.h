@@ -20,8 +20,8 @@ struct SampleGrid {
   double x_max = 0.0;
   double y_min = 0.0;
   double y_max = 0.0;
-  double spacing_x = 5e-4;                   ///< [m]
-  double spacing_y = 5e-4;                   ///< [m]; a cusp between rows falls by L / (2 r) of what a ray misses it by
+  double spacing_x = 5e-4;  ///< [m]
+  double spacing_y = 5e-4;  ///< [m]; a cusp between rows falls by L / (2 r) of what a ray misses it by
 };
 
 /// Where the grid's rays hit the surface; rays that miss are left out. In the surface's frame.
@@ -30,16 +30,16 @@ std::vector<SurfacePoint> sampleSurface(const geometry::Surface& surface, const 
 
 /// The material that a ball end mill leaves on a surface, measured along the surface's normals.
 struct ScallopReport {
-  std::size_t points = 0;                 ///< surface points looked at
-  std::size_t uncut = 0;                  ///< of them with more left than the limit: no ball came near
-  double highest = 0.0;                   ///< of the others [m]
+  std::size_t points = 0;  ///< surface points looked at
+  std::size_t uncut = 0;   ///< of them with more left than the limit: no ball came near
+  double highest = 0.0;    ///< of the others [m]
   Vector3 highest_at = Vector3::Zero();
-  double mean = 0.0;                      ///< [m]
-  double median = 0.0;                    ///< [m]
-  double percentile_95 = 0.0;             ///< [m]
-  double deepest_cut = 0.0;               ///< of the ball below the surface [m], 0 when it never is
+  double mean = 0.0;           ///< [m]
+  double median = 0.0;         ///< [m]
+  double percentile_95 = 0.0;  ///< [m]
+  double deepest_cut = 0.0;    ///< of the ball below the surface [m], 0 when it never is
   Vector3 deepest_at = Vector3::Zero();
-  std::vector<double> heights;            ///< one per point, negative below the surface; NaN where uncut
+  std::vector<double> heights;  ///< one per point, negative below the surface; NaN where uncut
 };
 
 /// Sweeps the ball along every worked move, straight from contact to contact with its centre at p + r z of the contact

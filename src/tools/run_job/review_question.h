@@ -14,7 +14,8 @@ public:
   explicit ReviewQuestion(std::string service) : service_(std::move(service)) {}
 
   /// To be called now and then while the job is in review: asks once, and hands the answer on when there is one: yes
-  /// for a line that starts with y, no for any other and for the end of the input. Throws InputError when nobody takes it.
+  /// for a line that starts with y, no for any other and for the end of the input. Throws InputError when nobody takes
+  /// it.
   void look();
 
 private:
