@@ -51,9 +51,12 @@ void expectMoments(const BicubicMoments& cell, const SampledLine& line, double r
     for (int k = 0; k < 4; ++k) {
       const auto lane = static_cast<std::size_t>(k);
       EXPECT_NEAR(cell.low[l][lane], directSum(line, reference, a, width, b, height, 0, k, l), rounding);
-      if (k < 3)
+      if (k < 3) {
         EXPECT_NEAR(cell.high[l][lane], directSum(line, reference, a, width, b, height, 0, k + 4, l), rounding);
-      if (l < 4) EXPECT_NEAR(cell.heights[l][lane], directSum(line, reference, a, width, b, height, 1, k, l), rounding);
+      }
+      if (l < 4) {
+        EXPECT_NEAR(cell.heights[l][lane], directSum(line, reference, a, width, b, height, 1, k, l), rounding);
+      }
     }
   }
 }
