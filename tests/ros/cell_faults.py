@@ -162,7 +162,10 @@ class CellFaults(unittest.TestCase):
         self.assertEqual({file.name: file.read_bytes() for file in self.first.out.iterdir()}, older)
 
     def test_a_configuration_that_is_none(self):
-        self.expect_failed(self.job_of("unknown", "path: {leed: 0.01}"), "unknown key path.leed, did you mean path.feed?")
+        # The client reads the file and refuses keys that are none; what only the whole configuration shows the job
+        # server does, and says so in the diagnostics.
+        self.expect_refused(self.job_of("unknown", "path: {leed: 0.01}"), "unknown key path.leed, did you mean path.feed?")
+        self.expect_not_recording()
         self.expect_failed(self.job_of("range", "scan: {placement: {max_joint_gap: -1}}"), "scan.placement.max_joint_gap")
 
     def test_the_sensor_is_silent(self):
