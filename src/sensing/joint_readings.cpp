@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "scan_to_path/common/error.h"
@@ -14,6 +15,8 @@ namespace scan_to_path::sensing {
 namespace {
 
 constexpr double half_counter = 2147483648.0;  // 2^31
+constexpr std::size_t longest_run = 64;        // readings; longer ones are rests
+constexpr std::size_t fewest_runs = 100;       // to tell from them how long a controller holds its counts
 
 std::string readingName(std::size_t reading) { return "joint reading " + std::to_string(reading); }
 
@@ -37,14 +40,29 @@ void checkReadings(const scan::SampleLog& log) {
   }
 }
 
+/// `runs`[n]: how many runs of n equal readings there are. 1 where there are too few to tell.
+std::size_t medianRun(const std::array<std::size_t, longest_run + 1>& runs) {
+  const std::size_t all = std::accumulate(runs.begin(), runs.end(), std::size_t{0});
+  if (all < fewest_runs) return 1;
+  std::size_t length = 0;
+  for (std::size_t passed = 0; 2 * passed < all; ++length) passed += runs[length + 1];
+  return length;
+}
+
 }  // namespace
 
 JointReadings::JointReadings(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
                              double max_gap)
-    : log_(log), encoders_(encoders), max_gap_(max_gap), counts_(log.counts.data()) {
+    : log_(log),
+      encoders_(encoders),
+      max_gap_(max_gap),
+      size_(log.joint_time.size()),
+      counts_(log.counts.data()),
+      time_(log.joint_time.data()) {
   checkReadings(log);
   mapJoints(robot);
   unwrap();
+  dropRepeated();
 }
 
 void JointReadings::mapJoints(const robot::Robot& robot) {
@@ -71,30 +89,54 @@ void JointReadings::unwrap() {
   std::size_t first = joints;
   while (first < counts.size() && !wraps(&counts[first])) ++first;
   if (first >= counts.size()) return;  // the common case: no copy
-  unwrapped_ = counts;
+  own_counts_ = counts;
   for (std::size_t k = first; k < counts.size(); ++k) {
-    unwrapped_[k] = robot::unwrapCount(unwrapped_[k - joints], counts[k]);
+    own_counts_[k] = robot::unwrapCount(own_counts_[k - joints], counts[k]);
   }
-  counts_ = unwrapped_.data();
+  counts_ = own_counts_.data();
+}
+
+/// A run of one count at rest is longer than what a controller holds, so the median run tells how long it holds one.
+void JointReadings::dropRepeated() {
+  const std::size_t joints = column_.size();
+  const auto isRepeated = [&](std::size_t i) { return std::equal(row(i), row(i) + joints, row(i - 1)); };
+  std::array<std::size_t, longest_run + 1> runs{};  // how many there are of each length
+  for (std::size_t begin = 0, i = 1; i <= size_; ++i) {
+    if (i < size_ && isRepeated(i)) continue;
+    ++runs[std::min(i - begin, longest_run)];
+    begin = i;
+  }
+  repeated_ = medianRun(runs);
+  if (repeated_ == 1) return;
+  std::vector<double> counts;
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (i > 0 && isRepeated(i) && i < kept_.back() + repeated_) continue;
+    kept_.push_back(i);
+    own_time_.push_back(time_[i]);
+    counts.insert(counts.end(), row(i), row(i) + joints);
+  }
+  own_counts_ = std::move(counts);
+  size_ = kept_.size();
+  counts_ = own_counts_.data();
+  time_ = own_time_.data();
 }
 
 bool JointReadings::bracket(double time, std::size_t& cursor) const {
-  const auto& times = log_.joint_time;
-  if (times.empty() || !(time >= times.front() && time <= times.back())) return false;
-  if (cursor >= times.size() || times[cursor] > time) cursor = 0;
-  if (cursor + 2 < times.size() && times[cursor + 2] <= time) {
-    cursor = static_cast<std::size_t>(std::upper_bound(times.begin() + cursor, times.end(), time) - times.begin()) - 1;
-  } else if (cursor + 1 < times.size() && times[cursor + 1] <= time) {
+  if (size_ == 0 || !(time >= time_[0] && time <= time_[size_ - 1])) return false;
+  if (cursor >= size_ || time_[cursor] > time) cursor = 0;
+  if (cursor + 2 < size_ && time_[cursor + 2] <= time) {
+    cursor = static_cast<std::size_t>(std::upper_bound(time_ + cursor, time_ + size_, time) - time_) - 1;
+  } else if (cursor + 1 < size_ && time_[cursor + 1] <= time) {
     ++cursor;
   }
   return true;
 }
 
 JointReadings::Weights JointReadings::weightsAt(double time, std::size_t cursor) const {
-  const double* t = &log_.joint_time[cursor];
+  const double* t = time_ + cursor;
   const double h = t[1] - t[0];
   const bool has_left = cursor > 0 && t[0] - t[-1] <= max_gap_;
-  const bool has_right = cursor + 2 < log_.joint_time.size() && t[2] - t[1] <= max_gap_;
+  const bool has_right = cursor + 2 < size_ && t[2] - t[1] <= max_gap_;
   const double h_left = has_left ? t[0] - t[-1] : 1.0;
   const double h_right = has_right ? t[2] - t[1] : 1.0;
   const double u = (time - t[0]) / h;
@@ -136,14 +178,14 @@ JointReadings::Status JointReadings::anglesAt(double time, std::size_t& cursor, 
   const std::size_t joints = column_.size();
   std::array<double, 8> counts{};
   const double* at = row(cursor);
-  if (time == log_.joint_time[cursor]) {
+  if (time == time_[cursor]) {
     for (std::size_t k = 0; k < joints; ++k) counts[k] = at[column_[k]];
   } else {
-    if (log_.joint_time[cursor + 1] - log_.joint_time[cursor] > max_gap_) return Status::gap;
+    if (time_[cursor + 1] - time_[cursor] > max_gap_) return Status::gap;
     const Weights w = weightsAt(time, cursor);
     const double* before = cursor > 0 ? at - joints : at;
     const double* next = at + joints;
-    const double* after = cursor + 2 < log_.joint_time.size() ? next + joints : next;
+    const double* after = cursor + 2 < size_ ? next + joints : next;
     for (std::size_t k = 0; k < joints; ++k) {
       const std::size_t c = column_[k];
       counts[k] = w.value[0] * before[c] + w.value[1] * at[c] + w.value[2] * next[c] + w.value[3] * after[c];

@@ -178,6 +178,34 @@ TEST(JointReadings, CounterWrapsAreUndone) {
   }
 }
 
+// A controller that gives new counts every 4 ms, read every 1 ms: what it gave is what counts, at the time it came.
+TEST(JointReadings, RepeatedOnesCountOnce) {
+  const robot::Robot robot = twoJoints();
+  const robot::Encoders encoders = unitEncoders();
+  const auto turning = [](double t) { return t < 1.0 ? 1000.0 * t * t : 1000.0; };  // and then at rest
+  std::vector<double> times, slow;
+  for (int i = 0; i < 2000; ++i) times.push_back(0.001 * i);
+  for (int i = 0; i < 500; ++i) slow.push_back(0.004 * i);
+  auto log = logOf(times, turning);
+  for (std::size_t i = 0; i < log.counts.size(); ++i) log.counts[i] = log.counts[i / 8 * 8 + i % 2];
+  const auto given = logOf(slow, turning);
+  const JointReadings held(log, robot, encoders, max_gap), truth(given, robot, encoders, max_gap);
+  EXPECT_EQ(truth.timesRepeated(), 1U);
+  ASSERT_EQ(held.timesRepeated(), 4U);
+  ASSERT_EQ(held.size(), truth.size()) << "at rest one in four as well";
+  EXPECT_EQ(held.placeInLog(10), 40U);
+  for (double t = 0.0; t < 1.996; t += 0.0007) EXPECT_EQ(angleAt(held, t), angleAt(truth, t)) << t;
+}
+
+TEST(JointReadings, ARestIsNoRepetition) {
+  const robot::Robot robot = twoJoints();
+  const robot::Encoders encoders = unitEncoders();
+  std::vector<double> times;
+  for (int i = 0; i < 2000; ++i) times.push_back(0.001 * i);
+  const auto log = logOf(times, [](double t) { return t < 0.2 ? 1000.0 * t : 200.0; });
+  EXPECT_EQ(JointReadings(log, robot, encoders, max_gap).timesRepeated(), 1U);
+}
+
 TEST(JointReadings, BadLogsAreNamed) {
   const auto good = logOf({0.0, 0.01, 0.02}, [](double t) { return t; });
   const robot::Robot robot = twoJoints();
