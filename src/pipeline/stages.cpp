@@ -11,6 +11,7 @@
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/pipeline/background_findings.h"
+#include "scan_to_path/pipeline/joint_findings.h"
 #include "scan_to_path/pipeline/lowered_feeds.h"
 #include "scan_to_path/pipeline/unseen_share.h"
 #include "scan_to_path/scan/cloud_io.h"
@@ -149,6 +150,9 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
   addClockOffset(estimate, options.placement.clock_offset, placement.clock_offset, limits, stage);
+  JointFindings joints = jointFindings(placed, cell.robot, limits);
+  stage.accuracy.insert(stage.accuracy.end(), joints.accuracy.begin(), joints.accuracy.end());
+  std::move(joints.notes.begin(), joints.notes.end(), std::back_inserter(stage.notes));
   stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(placed.cloud));
   stage.no_returns = std::move(placed.no_returns);
   stage.mean_beam = placed.mean_beam;

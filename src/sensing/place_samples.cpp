@@ -9,7 +9,6 @@
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/parallel.h"
 #include "scan_to_path/common/text.h"
-#include "scan_to_path/sensing/joint_jumps.h"
 #include "scan_to_path/sensing/joint_readings.h"
 
 namespace scan_to_path::sensing {
@@ -209,9 +208,12 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
     }
   });
   if (options.max_joint_jump > 0.0) {
-    checkJointJumps(readings, robot, placement.tolerance, options.max_joint_jump, options.max_joint_gap, threads,
-                    progress);
+    const Vector3 spot_tip =
+        placement.origin_tip + 0.5 * (laser.distance_min + laser.distance_max) * placement.beam_tip;
+    const JointJumpLimits limits{options.max_joint_jump, options.max_joint_gap, placement.tolerance};
+    scan.unseen_jumps = checkJointJumps(readings, robot, spot_tip, limits, threads, progress);
   }
+  scan.times_repeated = readings.timesRepeated();
   scan.dropped = droppedByReason(blocks);
   joinBlocks(blocks, scan.cloud);
   scan.no_returns = joinedNoReturns(blocks, laser);

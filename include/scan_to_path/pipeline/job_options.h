@@ -37,6 +37,7 @@ struct ScanSection {
 /// When a job that went through is still no success.
 struct ReportOptions {
   double max_clock_offset = 2e-4;
+  double max_unseen_jump = 1e-3;
   double max_dropped_share = 0.05;
   double max_line_residual = 1e-4;
   double max_surface_residual = 5e-5;
@@ -51,6 +52,10 @@ struct ReportOptions {
   static void fields(Self& self, Visitor&& visit) {
     visit(self.max_clock_offset,
           Field{"max_clock_offset", "s", "offset between the clocks that may be left uncorrected; 0: any", 0.0, 10.0});
+    visit(self.max_unseen_jump,
+          Field{"max_unseen_jump", "m",
+                "that a joint's slip may move the sensor without being told from motion: see unseen_joint_jump; 0: any",
+                0.0, 1.0});
     visit(self.max_dropped_share,
           Field{"max_dropped_share", "", "share of the part's samples that may be left out of the fit", 0.0, 1.0});
     visit(self.max_line_residual,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "scan_to_path/common/progress.h"
@@ -11,13 +11,30 @@
 
 namespace scan_to_path::sensing {
 
-/// Throws InputError where a joint steps, from one reading to the next, by more than `limit` [rad] beyond what the
-/// readings before and after explain: a lost count, a slipped coupling, a new home position or a bad reading, after
-/// which everything is measured somewhere else. Explained is any speed between those of the five readings before and
-/// after, stamps that are half a millisecond off, accelerations up to 10 rad/s^2 and four counts, which turn joint k by
-/// 4 `one_count`[k]. Readings more than `max_gap` [s] apart are not compared. Names joint, reading, time and limit, the
-/// first in time for any number of threads.
-void checkJointJumps(const JointReadings& readings, const robot::Robot& robot, const std::vector<double>& one_count,
-                     double limit, double max_gap, int threads = 1, const Progress& progress = {});
+/// What the search for jumps asks of a log.
+struct JointJumpLimits {
+  double jump = 0.0;              ///< that motion does not explain [rad]
+  double gap = 0.0;               ///< readings farther apart have a gap between them [s]
+  std::vector<double> one_count;  ///< that a count turns each joint by [rad]
+};
+
+/// What a log without a visible jump still does not rule out.
+struct UnseenJumps {
+  double angle = 0.0;      ///< the largest jump that the motion around it would have explained [rad]
+  double distance = 0.0;   ///< by which it moves what is measured [m]
+  int joint = -1;          ///< of that jump; -1: none above the limit for visible ones
+  double time = 0.0;       ///< of the reading after it [s]
+  std::size_t pauses = 0;  ///< gaps between rests, with joints elsewhere after them: how they got there nobody saw
+};
+
+/// Throws InputError where a joint steps by more than `limits.jump` beyond what the readings before and after explain
+/// (explained_step.h): a lost count, a slipped coupling, a new home position or a bad reading, after which everything
+/// is measured somewhere else. Looked at are steps from one reading to the next, over 2, 4, 8 … readings up to 10 ms
+/// (a slip that takes a few readings; what takes longer looks like motion) and over gaps, unless the robot rests on
+/// both sides of one. Explained too are stamps that are half a millisecond off, or off in any way between readings
+/// taken evenly, and four counts. Names joint, reading, time and limit, the first in time for any number of threads.
+/// `spot_tip` is what is measured, in the tip's frame [m]. Returns what jumps could hide in the changes of speed.
+UnseenJumps checkJointJumps(const JointReadings& readings, const robot::Robot& robot, const geometry::Vector3& spot_tip,
+                            const JointJumpLimits& limits, int threads = 1, const Progress& progress = {});
 
 }  // namespace scan_to_path::sensing

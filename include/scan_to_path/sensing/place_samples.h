@@ -13,6 +13,7 @@
 #include "scan_to_path/scan/no_returns.h"
 #include "scan_to_path/scan/sample_log.h"
 #include "scan_to_path/scan/scan_cloud.h"
+#include "scan_to_path/sensing/joint_jumps.h"
 #include "scan_to_path/sensing/point_laser.h"
 
 namespace scan_to_path::sensing {
@@ -46,6 +47,8 @@ struct PlacedScan {
   std::size_t samples_in = 0;
   std::vector<scan::Dropped> dropped;  ///< "no return", "sensor fault", "no joint reading", …
   scan::NoReturns no_returns;          ///< of the samples without a return those whose joints are known
+  UnseenJumps unseen_jumps;            ///< none when jumps are not looked for
+  std::size_t times_repeated = 1;      ///< how often the log repeats each joint reading
 };
 
 /// Pulses to joint angles (interpolated to the sensor's time), forward kinematics, p_B = T_BE T_EM (0, 0, d, 1)^T
