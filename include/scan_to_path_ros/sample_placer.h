@@ -18,9 +18,11 @@ namespace scan_to_path_ros {
 namespace core = scan_to_path;
 
 struct SamplePlacerOptions : TransformHistoryOptions {
-  double max_wait = 1.0;      ///< a sample this much older than the newest one waits no longer for its transform [s]
-  double clock_offset = 0.0;  ///< added to the sensor's stamps to get tf's [s]
-  double range_min = 0.0;     ///< the sensor's nearest and farthest distance [m]
+  double max_wait = 1.0;         ///< a sample this much older than the newest one waits no longer for its transform [s]
+  double clock_offset = 0.0;     ///< added to the sensor's stamps to get tf's [s]
+  double max_joint_jump = 5e-5;  ///< see checkSensorJumps [rad]
+  core::pipeline::ReportOptions limits;
+  double range_min = 0.0;  ///< the sensor's nearest and farthest distance [m]
   double range_max = 0.0;
 };
 
@@ -54,7 +56,8 @@ public:
   ros::Time start() const { return start_; }
 
   /// Cloud, viewing direction and counts, as the fit takes them; the placer is empty afterwards.
-  /// Throws InputError when nothing could be placed, saying why, or the clock went back on the way.
+  /// Throws InputError when nothing could be placed, saying why, the clock went back on the way, or the
+  /// sensor jumped.
   core::pipeline::ScanStage take();
 
 private:

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "scan_to_path/geometry/frames.h"
+#include "scan_to_path_ros/sensor_track.h"
 
 namespace scan_to_path_ros {
 
@@ -40,6 +41,9 @@ public:
   enum class Reach { known, not_yet, before_first, gap, jump };
   Reach reach(const ros::Time& stamp);
 
+  /// The sensor at all transforms that reach() found known on both sides, since the options were set last.
+  const SensorTrack& track() const { return track_; }
+
   /// T_base_sensor, interpolated to the stamp. Throws tf2::TransformException when frames are missing.
   scan_to_path::geometry::Frame sensorAt(const ros::Time& stamp) const;
 
@@ -57,9 +61,10 @@ private:
   struct Step {
     ros::Time before;
     ros::Time after;
-    scan_to_path::geometry::Vector3 p_after = scan_to_path::geometry::Vector3::Zero();
+    scan_to_path::geometry::Frame T_after = scan_to_path::geometry::Frame::Identity();
     bool jumps = false;
   } step_;
+  SensorTrack track_;
 };
 
 }  // namespace scan_to_path_ros

@@ -106,6 +106,8 @@ class ScanAccumulator : public nodelet::Nodelet {
     scan_to_path_ros::SamplePlacerOptions placing;
     placing.base_frame = options.cell.base_link;
     placing.max_joint_gap = options.scan.placement.max_joint_gap;
+    placing.max_joint_jump = options.scan.placement.max_joint_jump;
+    placing.limits = options.report;
     placing.clock_offset = options.scan.placement.clock_offset;
     placing.range_min = options.cell.laser.distance_min;
     placing.range_max = options.cell.laser.distance_max;

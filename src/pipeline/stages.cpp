@@ -150,7 +150,7 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
   addClockOffset(estimate, options.placement.clock_offset, placement.clock_offset, limits, stage);
-  JointFindings joints = jointFindings(placed, cell.robot, limits);
+  JointFindings joints = jointFindings(placed.unseen_jumps, placed.times_repeated, limits);
   stage.accuracy.insert(stage.accuracy.end(), joints.accuracy.begin(), joints.accuracy.end());
   std::move(joints.notes.begin(), joints.notes.end(), std::back_inserter(stage.notes));
   stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(placed.cloud));

@@ -9,6 +9,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/pipeline/joint_findings.h"
 
 namespace scan_to_path_ros {
 namespace {
@@ -188,7 +189,11 @@ core::pipeline::ScanStage SamplePlacer::take() {
     for (const auto& entry : dropped_) message += ", " + std::to_string(entry.count) + " " + entry.reason;
     throw InputError(message);
   }
+  const auto unseen = checkSensorJumps(transforms_.track(), options_.max_joint_jump, options_.max_joint_gap);
+  core::pipeline::JointFindings joints = core::pipeline::jointFindings(unseen, 1, options_.limits);
   core::pipeline::ScanStage stage;
+  stage.accuracy = std::move(joints.accuracy);
+  stage.notes = std::move(joints.notes);
   cloud_.width = static_cast<std::uint32_t>(cloud_.points.size());
   pcl_conversions::toPCL(start_, cloud_.header.stamp);
   stage.report = {"scan", samples_in_, cloud_.points.size(), dropped_};

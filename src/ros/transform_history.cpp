@@ -22,6 +22,7 @@ void TransformHistory::setOptions(const TransformHistoryOptions& options) {
   options_.cache = cache;
   moving_frame_.clear();
   step_ = Step();
+  track_.clear();
 }
 
 ros::Duration TransformHistory::add(const geometry_msgs::TransformStamped& transform, bool is_static) {
@@ -33,6 +34,7 @@ ros::Duration TransformHistory::add(const geometry_msgs::TransformStamped& trans
     buffer_.clear();  // static ones stay
     stamps_.clear();
     step_ = Step();
+    track_.clear();
   }
   if (!buffer_.setTransform(transform, "tf", is_static) || is_static) return went_back;
   Stamps& stamps = stamps_[transform.child_frame_id];
@@ -59,10 +61,14 @@ bool TransformHistory::jumps(const ros::Time& before, const ros::Time& after) {
   const Vector3 ahead(0.0, 0.0, 0.1);  // [m]
   if (before == step_.before && after == step_.after) return step_.jumps;
   try {
-    const Vector3 p_before = before == step_.after ? step_.p_after : sensorAt(before) * ahead;
-    const Vector3 p_after = sensorAt(after) * ahead;
-    step_ = {before, after, p_after, (p_after - p_before).norm() > options_.max_speed * (after - before).toSec()};
-    return step_.jumps;
+    const Frame T_before = before == step_.after ? step_.T_after : sensorAt(before);
+    const Frame T_after = sensorAt(after);
+    const double distance = (T_after * ahead - T_before * ahead).norm();
+    step_ = {before, after, T_after, distance > options_.max_speed * (after - before).toSec()};
+    if (step_.jumps) return true;
+    if (!track_.endsAt(before)) track_.add(before, T_before);
+    track_.add(after, T_after);
+    return false;
   } catch (const tf2::TransformException&) {
     return false;  // what is missing is found missing when the sensor is asked for
   }

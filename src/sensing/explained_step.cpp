@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scan_to_path::sensing {
 namespace {
@@ -48,6 +49,10 @@ ExplainedStep explainedStep(const SideReadings& before, const SideReadings& afte
   const double duration = after.time[0] - before.time[0];
   const EndMotion end = endMotion(before), begin = endMotion(after);
   ExplainedStep explained;  // rest: what a joint may come from or go to where one side is missing
+  if (before.count < 2 && after.count < 2) {
+    explained.high = std::numeric_limits<double>::infinity();
+    explained.low = -explained.high;
+  }
   if (before.count > 1 && after.count > 1) explained.low = explained.high = end.speed * duration;
   if (before.count > 1) widenBy(end, duration, 1.0, explained);
   if (after.count > 1) widenBy(begin, duration, -1.0, explained);

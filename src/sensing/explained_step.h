@@ -37,7 +37,7 @@ struct ExplainedStep {
 /// acceleration at the interval's end. Explained is all between the steps of the mean speed of the nearest readings, of
 /// the speed at the end, and of the parabola carried on, for both sides: the joint may change from one motion to the
 /// other anywhere in the interval, or have its fastest moment within it. With one side only it may have started or
-/// stopped there.
+/// stopped there; with none anything is.
 ExplainedStep explainedStep(const SideReadings& before, const SideReadings& after);
 
 /// True when the joint comes to rest next to the interval, or leaves it: it would stand still one and a half readings

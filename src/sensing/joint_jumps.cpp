@@ -2,25 +2,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path/sensing/joint_jumps.h"
 
-#include <algorithm>
-
-#include "jump_finder.h"
 #include "scan_to_path/common/error.h"
-#include "scan_to_path/common/parallel.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/sensing/motion_jumps.h"
 
 namespace scan_to_path::sensing {
 namespace {
 
-constexpr std::size_t readings_at_a_time = 8192;  // fixed, so that blocks do not depend on threads
+constexpr double counts_off = 4.0;  // both readings by one and a half, and rounding
 
-[[noreturn]] void throwJump(const JointReadings& readings, const robot::Robot& robot, const Jump& jump, double limit) {
+class JointAngles : public MotionReadings {
+public:
+  explicit JointAngles(const JointReadings& readings) : readings_(readings) {}
+  std::size_t size() const override { return readings_.size(); }
+  double timeOf(std::size_t reading) const override { return readings_.timeOf(reading); }
+  robot::JointVector valuesOf(std::size_t reading) const override { return readings_.anglesOf(reading); }
+
+private:
+  const JointReadings& readings_;
+};
+
+[[noreturn]] void throwJump(const JointReadings& readings, const robot::Robot& robot, const MotionJump& jump,
+                            double limit) {
   const std::string gap = jump.gap > 0.0 ? " over a gap of " + fixed(jump.gap, 3) + " s in the readings" : "";
   throw InputError(
       "joint reading " + std::to_string(readings.placeInLog(jump.reading)) + " at " +
-      fixed(readings.timeOf(jump.reading), 6) + " s: " + robot.joints[static_cast<std::size_t>(jump.joint)].name +
+      fixed(readings.timeOf(jump.reading), 6) + " s: " + robot.joints[static_cast<std::size_t>(jump.coordinate)].name +
       " jumps by " + fixed(jump.step, 6) + " rad" + gap + ", its motion before and after explains " +
-      fixed(jump.explained.low, 6) + " to " + fixed(jump.explained.high, 6) + " rad (limit " + fixed(limit, 6) +
+      fixed(jump.low, 6) + " to " + fixed(jump.high, 6) + " rad (limit " + fixed(limit, 6) +
       " rad beyond, scan.placement.max_joint_jump): lost counts, a slipped coupling, a new home position " +
       (jump.gap > 0.0 ? "or motion that nobody saw" : "or a bad reading"));
 }
@@ -34,21 +43,18 @@ double leverOf(const robot::Robot& robot, const robot::JointVector& angles, cons
   return (linear + angular.cross(from_tip)).norm();
 }
 
-UnseenJumps unseenJumps(const std::vector<BlockFindings>& blocks, const JointReadings& readings,
-                        const robot::Robot& robot, const geometry::Vector3& spot_tip) {
+UnseenJumps unseenJumps(const MotionJumps& jumps, const JointReadings& readings, const robot::Robot& robot,
+                        const geometry::Vector3& spot_tip) {
   UnseenJumps unseen;
-  for (const auto& block : blocks) {
-    unseen.pauses += block.pauses;
-    for (int joint = 0; joint < robot.dof(); ++joint) {
-      const Hidden& hidden = block.hidden[static_cast<std::size_t>(joint)];
-      if (hidden.angle <= 0.0) continue;
-      const double distance = hidden.angle * leverOf(robot, readings.anglesOf(hidden.reading), spot_tip, joint);
-      if (distance <= unseen.distance) continue;
-      unseen.angle = hidden.angle;
-      unseen.distance = distance;
-      unseen.joint = joint;
-      unseen.time = readings.timeOf(hidden.reading);
-    }
+  unseen.pauses = jumps.pauses;
+  for (const auto& hidden : jumps.hidden) {
+    const double lever = leverOf(robot, readings.anglesOf(hidden.reading), spot_tip, hidden.coordinate);
+    if (hidden.size * lever <= unseen.distance) continue;
+    unseen.angle = hidden.size;
+    unseen.distance = hidden.size * lever;
+    unseen.what =
+        robot.joints[static_cast<std::size_t>(hidden.coordinate)].name + " by up to " + fixed(hidden.size, 6) + " rad";
+    unseen.time = readings.timeOf(hidden.reading);
   }
   return unseen;
 }
@@ -57,19 +63,11 @@ UnseenJumps unseenJumps(const std::vector<BlockFindings>& blocks, const JointRea
 
 UnseenJumps checkJointJumps(const JointReadings& readings, const robot::Robot& robot, const geometry::Vector3& spot_tip,
                             const JointJumpLimits& limits, int threads, const Progress& progress) {
-  if (readings.size() < 2) return {};
-  const JumpFinder finder(readings, limits);
-  std::vector<BlockFindings> blocks((readings.size() + readings_at_a_time - 1) / readings_at_a_time);
-  parallelFor(blocks.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) {
-      progress.checkCancelled();
-      blocks[b] = finder.find(b * readings_at_a_time, std::min(readings.size(), (b + 1) * readings_at_a_time));
-    }
-  });
-  for (const auto& block : blocks) {
-    if (block.jump) throwJump(readings, robot, *block.jump, limits.jump);
-  }
-  return unseenJumps(blocks, readings, robot, spot_tip);
+  JumpLimits turns{limits.jump, limits.gap, limits.one_count};
+  for (double& resolution : turns.resolution) resolution *= counts_off;
+  const MotionJumps jumps = findMotionJumps(JointAngles(readings), turns, threads, progress);
+  if (jumps.first) throwJump(readings, robot, *jumps.first, limits.jump);
+  return unseenJumps(jumps, readings, robot, spot_tip);
 }
 
 }  // namespace scan_to_path::sensing

@@ -12,14 +12,13 @@ namespace {
 
 constexpr double longest_slip = 0.0105;      // [s]; 10 ms, and stamps on a grid
 constexpr double stamp_error = 5e-4;         // [s]
-constexpr double counts_off = 4.0;           // both readings by one and a half, and rounding
 constexpr double even = 0.05;                // of the median interval, by which even stamps differ
 constexpr double closest = 0.5;              // of it: stamps closer than that make speeds of their errors
 constexpr std::size_t steps_per_stride = 4;  // a slip then lies within one of the steps looked at, but for a quarter
 constexpr std::size_t intervals_looked_at = 10000;
 
 /// Over eight readings at a time, as they may come in bursts.
-double medianInterval(const JointReadings& readings) {
+double medianInterval(const MotionReadings& readings) {
   const std::size_t burst = std::min<std::size_t>(8, readings.size() - 1);
   const std::size_t stride = std::max<std::size_t>(1, readings.size() / intervals_looked_at);
   std::vector<double> intervals;
@@ -29,22 +28,23 @@ double medianInterval(const JointReadings& readings) {
   return median(std::move(intervals));
 }
 
-void note(double hidden, int joint, std::size_t i, BlockFindings& found) {
-  Hidden& most = found.hidden[static_cast<std::size_t>(joint)];
-  if (hidden > most.angle) most = {hidden, i};
+void note(double hidden, int coordinate, std::size_t i, MotionJumps& found) {
+  HiddenJump& most = found.hidden[static_cast<std::size_t>(coordinate)];
+  if (hidden > most.size) most = {i, coordinate, hidden};
 }
 
 }  // namespace
 
-JumpFinder::JumpFinder(const JointReadings& readings, const JointJumpLimits& limits)
+JumpFinder::JumpFinder(const MotionReadings& readings, const JumpLimits& limits)
     : readings_(readings), limits_(limits), interval_(medianInterval(readings)) {
   for (std::size_t s = 1; s == 1 || static_cast<double>(s) * interval_ <= longest_slip; s *= 2) strides_.push_back(s);
 }
 
-BlockFindings JumpFinder::find(std::size_t begin, std::size_t end) const {
-  const JointStretch stretch(readings_, begin, end, 3 * strides_.back(), limits_.gap);
-  BlockFindings found;
-  for (std::size_t i = std::max<std::size_t>(begin, 1); i < end && !found.jump; ++i) {
+MotionJumps JumpFinder::find(std::size_t begin, std::size_t end) const {
+  const MotionStretch stretch(readings_, begin, end, 3 * strides_.back(), limits_.gap);
+  MotionJumps found;
+  found.hidden.resize(static_cast<std::size_t>(stretch.coordinates()));
+  for (std::size_t i = std::max<std::size_t>(begin, 1); i < end && !found.first; ++i) {
     if (stretch.runBegin(i) == i) {
       lookAcrossGap(i, found);
       continue;
@@ -55,47 +55,45 @@ BlockFindings JumpFinder::find(std::size_t begin, std::size_t end) const {
       lookAtStep(stretch, i, stride, found);
     }
   }
+  const auto isNone = [](const HiddenJump& jump) { return jump.size == 0.0; };
+  found.hidden.erase(std::remove_if(found.hidden.begin(), found.hidden.end(), isNone), found.hidden.end());
   return found;
 }
 
-double JumpFinder::resolution(int joint) const {
-  return counts_off * limits_.one_count[static_cast<std::size_t>(joint)];
-}
-
-double JumpFinder::slack(int joint, const ExplainedStep& explained) const {
-  return stamp_error * explained.speed + resolution(joint);
+double JumpFinder::slack(int coordinate, const ExplainedStep& explained) const {
+  return stamp_error * explained.speed + limits_.resolution[static_cast<std::size_t>(coordinate)];
 }
 
 /// The common case, cheaply: the step is that of the speed before.
-bool JumpFinder::goesOn(const JointStretch& stretch, std::size_t i, std::size_t stride, int joint) const {
+bool JumpFinder::goesOn(const MotionStretch& stretch, std::size_t i, std::size_t stride, int coordinate) const {
   if (i < stretch.runBegin(i) + 2 * stride) return false;
   const double now = stretch.time(i) - stretch.time(i - stride);
   const double before = stretch.time(i - stride) - stretch.time(i - 2 * stride);
-  const double middle = stretch.angle(i - stride, joint);
+  const double middle = stretch.value(i - stride, coordinate);
   const double change =
-      (stretch.angle(i, joint) - middle) - (middle - stretch.angle(i - 2 * stride, joint)) * now / before;
+      (stretch.value(i, coordinate) - middle) - (middle - stretch.value(i - 2 * stride, coordinate)) * now / before;
   return std::abs(change) <= limits_.jump;
 }
 
 /// What the readings around the step from i - stride to i explain, by their stamps or as if they were taken evenly.
-ExplainedStep JumpFinder::explainedAround(const JointStretch& stretch, std::size_t i, std::size_t stride, int joint,
-                                          Clock clock) const {
+ExplainedStep JumpFinder::explainedAround(const MotionStretch& stretch, std::size_t i, std::size_t stride,
+                                          int coordinate, Clock clock) const {
   const auto time = [&](std::size_t k) {
     return clock == Clock::stamps ? stretch.time(k) : static_cast<double>(k) * interval_;
   };
   const double spacing = closest * static_cast<double>(stride) * interval_;
   SideReadings before, after;
   for (std::size_t k = i - stride; before.count < 3; k -= stride) {
-    before.addFarther(time(k), stretch.angle(k, joint), spacing);
+    before.addFarther(time(k), stretch.value(k, coordinate), spacing);
     if (k < stretch.runBegin(i) + stride) break;
   }
   for (std::size_t k = i; after.count < 3 && k < stretch.runEnd(i); k += stride) {
-    after.addFarther(time(k), stretch.angle(k, joint), spacing);
+    after.addFarther(time(k), stretch.value(k, coordinate), spacing);
   }
   return explainedStep(before, after);
 }
 
-bool JumpFinder::isEven(const JointStretch& stretch, std::size_t i, std::size_t stride) const {
+bool JumpFinder::isEven(const MotionStretch& stretch, std::size_t i, std::size_t stride) const {
   const std::size_t begin = std::max(stretch.runBegin(i), i < 3 * stride ? 0 : i - 3 * stride);
   const std::size_t end = std::min(stretch.runEnd(i), i + 2 * stride + 1);
   for (std::size_t k = begin + 1; k < end; ++k) {
@@ -104,30 +102,29 @@ bool JumpFinder::isEven(const JointStretch& stretch, std::size_t i, std::size_t 
   return true;
 }
 
-void JumpFinder::lookAtStep(const JointStretch& stretch, std::size_t i, std::size_t stride,
-                            BlockFindings& found) const {
-  for (int joint = 0; joint < stretch.joints(); ++joint) {
-    if (goesOn(stretch, i, stride, joint)) continue;
-    const double step = stretch.angle(i, joint) - stretch.angle(i - stride, joint);
-    ExplainedStep explained = explainedAround(stretch, i, stride, joint, Clock::stamps);
+void JumpFinder::lookAtStep(const MotionStretch& stretch, std::size_t i, std::size_t stride, MotionJumps& found) const {
+  for (int coordinate = 0; coordinate < stretch.coordinates(); ++coordinate) {
+    if (goesOn(stretch, i, stride, coordinate)) continue;
+    const double step = stretch.value(i, coordinate) - stretch.value(i - stride, coordinate);
+    ExplainedStep explained = explainedAround(stretch, i, stride, coordinate, Clock::stamps);
     double hidden = explained.high - explained.low;
     if (!isEven(stretch, i, stride)) {
-      const ExplainedStep evenly = explainedAround(stretch, i, stride, joint, Clock::evenly);
+      const ExplainedStep evenly = explainedAround(stretch, i, stride, coordinate, Clock::evenly);
       hidden = std::max(hidden, evenly.high - evenly.low);
       if (evenly.excess(step) < explained.excess(step)) explained = evenly;
     }
-    if (explained.excess(step) > limits_.jump + slack(joint, explained)) {
-      if (!found.jump) found.jump = Jump{i, joint, step, explained};
+    if (explained.excess(step) > limits_.jump + slack(coordinate, explained)) {
+      if (!found.first) found.first = MotionJump{i, coordinate, step, explained.low, explained.high, 0.0};
       return;
     }
-    if (stride == 1 && i > stretch.runBegin(i) + 1 && i + 1 < stretch.runEnd(i)) note(hidden, joint, i, found);
+    if (stride == 1 && i > stretch.runBegin(i) + 1 && i + 1 < stretch.runEnd(i)) note(hidden, coordinate, i, found);
   }
 }
 
-/// Up to three readings of a joint from `i` away from a gap, each at least `spacing` [s] after the last.
-SideReadings JumpFinder::awayFromGap(std::size_t i, int joint, double spacing, bool forward) const {
+/// Up to three readings of a coordinate from `i` away from a gap, each at least `spacing` [s] after the last.
+SideReadings JumpFinder::awayFromGap(std::size_t i, int coordinate, double spacing, bool forward) const {
   SideReadings side;
-  side.addFarther(readings_.timeOf(i), readings_.anglesOf(i)[joint], spacing);
+  side.addFarther(readings_.timeOf(i), readings_.valuesOf(i)[coordinate], spacing);
   const auto isGap = [&](std::size_t a, std::size_t b) {
     return std::abs(readings_.timeOf(a) - readings_.timeOf(b)) > limits_.gap;
   };
@@ -135,37 +132,42 @@ SideReadings JumpFinder::awayFromGap(std::size_t i, int joint, double spacing, b
     const std::size_t next = forward ? k + 1 : k - 1;
     if (isGap(k, next)) break;
     k = next;
-    side.addFarther(readings_.timeOf(k), readings_.anglesOf(k)[joint], spacing);
+    side.addFarther(readings_.timeOf(k), readings_.valuesOf(k)[coordinate], spacing);
   }
   return side;
 }
 
 bool JumpFinder::restsAround(std::size_t i) const {
-  for (int joint = 0; joint < readings_.anglesOf(i).size(); ++joint) {
-    if (!isRestingNextTo(awayFromGap(i - 1, joint, 0.0, false), resolution(joint))) return false;
-    if (!isRestingNextTo(awayFromGap(i, joint, 0.0, true), resolution(joint))) return false;
+  for (int coordinate = 0; coordinate < readings_.valuesOf(i).size(); ++coordinate) {
+    if (!isRestingNextTo(awayFromGap(i - 1, coordinate, 0.0, false),
+                         limits_.resolution[static_cast<std::size_t>(coordinate)]))
+      return false;
+    if (!isRestingNextTo(awayFromGap(i, coordinate, 0.0, true),
+                         limits_.resolution[static_cast<std::size_t>(coordinate)]))
+      return false;
   }
   return true;
 }
 
 /// Over the gap that ends at reading i.
-void JumpFinder::lookAcrossGap(std::size_t i, BlockFindings& found) const {
+void JumpFinder::lookAcrossGap(std::size_t i, MotionJumps& found) const {
   const double gap = readings_.timeOf(i) - readings_.timeOf(i - 1);
-  const robot::JointVector steps = readings_.anglesOf(i) - readings_.anglesOf(i - 1);
+  const robot::JointVector steps = readings_.valuesOf(i) - readings_.valuesOf(i - 1);
   const bool is_pause = restsAround(i);
-  for (int joint = 0; joint < steps.size(); ++joint) {
+  for (int coordinate = 0; coordinate < steps.size(); ++coordinate) {
     if (is_pause) {
-      if (std::abs(steps[joint]) <= limits_.jump + resolution(joint)) continue;
+      if (std::abs(steps[coordinate]) <= limits_.jump + limits_.resolution[static_cast<std::size_t>(coordinate)])
+        continue;
       ++found.pauses;
       return;
     }
-    const SideReadings from = awayFromGap(i - 1, joint, gap, false), to = awayFromGap(i, joint, gap, true);
+    const SideReadings from = awayFromGap(i - 1, coordinate, gap, false), to = awayFromGap(i, coordinate, gap, true);
     const ExplainedStep explained = explainedStep(from, to);
-    if (explained.excess(steps[joint]) > limits_.jump + slack(joint, explained)) {
-      found.jump = Jump{i, joint, steps[joint], explained, gap};
+    if (explained.excess(steps[coordinate]) > limits_.jump + slack(coordinate, explained)) {
+      found.first = MotionJump{i, coordinate, steps[coordinate], explained.low, explained.high, gap};
       return;
     }
-    if (from.count > 1 && to.count > 1) note(explained.high - explained.low, joint, i, found);
+    if (from.count > 1 && to.count > 1) note(explained.high - explained.low, coordinate, i, found);
   }
 }
 

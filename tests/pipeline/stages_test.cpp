@@ -73,7 +73,7 @@ TEST(Stages, AClockOffsetThatTheScanDoesNotTellIsTheUsersToState) {
   const ScanStage unknown = scanFromSamples(one_way, cell, {}, {}, 1, {});
   EXPECT_TRUE(fails(unknown.accuracy, "clock_offset_unknown"));
   EXPECT_THAT(unknown.notes, ::testing::ElementsAre(HasSubstr("all rows run in one direction; scan rows to and fro, "),
-                                                    HasSubstr("the joints move unseen in ")));
+                                                    HasSubstr("the robot moves unseen in ")));
   ScanSection stated;
   stated.placement.clock_offset = 1e-6;
   EXPECT_FALSE(fails(scanFromSamples(one_way, cell, stated, {}, 1, {}).accuracy, "clock_offset_unknown"));

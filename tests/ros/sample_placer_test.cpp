@@ -137,6 +137,27 @@ TEST_F(SamplePlacerTest, DropsAcrossGapsAndJumps) {
   expectAllCounted();
 }
 
+// 2 mm within 10 ms is no more than a sensor's speed allows, but from then on everything is measured elsewhere.
+TEST_F(SamplePlacerTest, FailsAScanOfARobotThatSlips) {
+  for (const double slip : {0.0, 2e-3}) {
+    placer_.restart(placer_.options());
+    const double begin = slip > 0.0 ? 2.0 : 0.0;
+    addMount();
+    for (int i = 0; i < 100; ++i) {
+      auto link = MovingSensor::linkTransform(begin + 0.01 * i);
+      if (i >= 50) link.transform.translation.z += slip;
+      placer_.addTransform(link, false);
+      if (i > 0) placer_.addSamples(MovingSensor::sample(begin + 0.01 * i - 0.005, 0.1));
+    }
+    ASSERT_EQ(placed(), 99U);
+    if (slip == 0.0) {
+      EXPECT_NO_THROW(placer_.take());
+    } else {
+      expectInputError([&] { placer_.take(); }, "the sensor jumps by 2.000 mm along z of the base");
+    }
+  }
+}
+
 TEST_F(SamplePlacerTest, DropsRangesThatAreNone) {
   addMount();
   addReadings(0, 10);

@@ -207,7 +207,7 @@ TEST(JointJumps, ThatMotionCouldHideAreMeasured) {
     for (int i = 0; i < 100; ++i) {
       // Every second one within 0.1 s of where most could hide.
       const double anywhere = random.uniform(0.1, log.joint_time.back() - 0.1);
-      const bool is_near = i % 2 == 0 && unseen.joint >= 0;
+      const bool is_near = i % 2 == 0 && unseen.distance > 0.0;
       const double second = is_near ? unseen.time + random.uniform(-0.1, 0.1) : anywhere;
       const auto from = static_cast<std::size_t>(second * rate);
       const double jump = (random.uniform() < 0.5 ? -1.0 : 1.0) * random.uniform(1e-4, 3e-3);

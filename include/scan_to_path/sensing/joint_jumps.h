@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "scan_to_path/common/progress.h"
@@ -21,19 +22,16 @@ struct JointJumpLimits {
 /// What a log without a visible jump still does not rule out.
 struct UnseenJumps {
   double angle = 0.0;      ///< the largest jump that the motion around it would have explained [rad]
-  double distance = 0.0;   ///< by which it moves what is measured [m]
-  int joint = -1;          ///< of that jump; -1: none above the limit for visible ones
+  double distance = 0.0;   ///< by which it moves what is measured [m]; 0: none above the limit for visible ones
+  std::string what;        ///< jumps, in words
   double time = 0.0;       ///< of the reading after it [s]
   std::size_t pauses = 0;  ///< gaps between rests, with joints elsewhere after them: how they got there nobody saw
 };
 
 /// Throws InputError where a joint steps by more than `limits.jump` beyond what the readings before and after explain
-/// (explained_step.h): a lost count, a slipped coupling, a new home position or a bad reading, after which everything
-/// is measured somewhere else. Looked at are steps from one reading to the next, over 2, 4, 8 … readings up to 10 ms
-/// (a slip that takes a few readings; what takes longer looks like motion) and over gaps, unless the robot rests on
-/// both sides of one. Explained too are stamps that are half a millisecond off, or off in any way between readings
-/// taken evenly, and four counts. Names joint, reading, time and limit, the first in time for any number of threads.
-/// `spot_tip` is what is measured, in the tip's frame [m]. Returns what jumps could hide in the changes of speed.
+/// (motion_jumps.h): a lost count, a slipped coupling, a new home position or a bad reading, after which everything is
+/// measured somewhere else. Four counts of either joint are no step. Names joint, reading, time and limit. `spot_tip`
+/// is what is measured, in the tip's frame [m]. Returns what jumps could hide in the changes of speed.
 UnseenJumps checkJointJumps(const JointReadings& readings, const robot::Robot& robot, const geometry::Vector3& spot_tip,
                             const JointJumpLimits& limits, int threads = 1, const Progress& progress = {});
 
