@@ -12,26 +12,20 @@ namespace {
 constexpr double feed_step = 0.95;
 constexpr double digits_per_unit = 1e6;  // [s/m]; 1e-6 m/s is the last digit that programs write
 
-bool isTooFast(const robot::Robot& robot, const Arrival& arrival, double feed, const MotionOptions& options) {
-  for (int i = 0; i < robot.dof(); ++i) {
-    const double limit = options.speed_fraction * robot.joints[static_cast<std::size_t>(i)].max_velocity;
-    if (arrival.rate[i] * feed > limit) return true;
-  }
-  return false;
-}
-
 /// A feed that is whole digits but for rounding is that many.
 double roundedDown(double feed) { return std::floor(feed * digits_per_unit + 1e-3) / digits_per_unit; }
 
 }  // namespace
 
 double drivenFeed(const robot::Robot& robot, const Arrival& arrival, const MotionOptions& options) {
-  if (!arrival.process_on || !isTooFast(robot, arrival, arrival.feed, options)) return arrival.feed;
+  const JointVector usable = usableSpeeds(robot, options);
+  const auto isTooFast = [&](double feed) { return ((arrival.rate * feed).array() > usable.array()).any(); };
+  if (!arrival.process_on || !isTooFast(arrival.feed)) return arrival.feed;
   const double least = std::max(options.least_feed_share * arrival.feed, 1.0 / digits_per_unit);
   for (double feed = arrival.feed; feed > least;) {
     feed = std::max(feed_step * feed, least);
     const double written = roundedDown(feed);
-    if (!isTooFast(robot, arrival, written, options)) return written;
+    if (!isTooFast(written)) return written;
   }
   return arrival.feed;
 }

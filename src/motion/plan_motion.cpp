@@ -155,7 +155,11 @@ JointVector bestStart(const std::vector<Target>& targets, const MoveSolver& solv
 class Follower {
 public:
   Follower(const MoveSolver& solver, const MotionOptions& options, const JointVector& start)
-      : robot_(solver.robot), solver_(solver), options_(options), seed_(start) {
+      : robot_(solver.robot),
+        solver_(solver),
+        options_(options),
+        usable_speeds_(usableSpeeds(solver.robot, options)),
+        seed_(start) {
     for (const robot::Joint& joint : robot_.joints) plan_.trajectory.joint_names.push_back(joint.name);
   }
 
@@ -229,18 +233,12 @@ private:
   }
 
   /// Shortest duration of a step of the joints [s].
-  double jointTime(const JointVector& step) const {
-    double time = 0.0;
-    for (int i = 0; i < step.size(); ++i) {
-      const double limit = options_.speed_fraction * robot_.joints[static_cast<std::size_t>(i)].max_velocity;
-      time = std::max(time, step[i] / limit);
-    }
-    return time;
-  }
+  double jointTime(const JointVector& step) const { return step.cwiseQuotient(usable_speeds_).maxCoeff(); }
 
   const Robot& robot_;
   const MoveSolver& solver_;
   const MotionOptions& options_;
+  JointVector usable_speeds_;
   JointVector seed_;
   Vector3 tcp_ = Vector3::Zero();
   std::vector<TimedMove> moves_;

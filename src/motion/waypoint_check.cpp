@@ -56,13 +56,14 @@ Finding singularity(const robot::Robot& robot, const JointVector& q, const Motio
 
 Finding speed(const robot::Robot& robot, const Arrival& arrival, const MotionOptions& options) {
   Finding worst{Verdict::speed, infinity, infinity, "rad/s", "", ""};
+  const JointVector usable = usableSpeeds(robot, options);
   for (int i = 0; i < robot.dof(); ++i) {
-    const robot::Joint& joint = robot.joints[static_cast<std::size_t>(i)];
-    const double limit = options.speed_fraction * joint.max_velocity, needed = arrival.rate[i] * arrival.feed;
+    const double limit = usable[i], needed = arrival.rate[i] * arrival.feed;
     if ((limit - needed) / limit >= worst.share) continue;
     worst.margin = limit - needed;
     worst.share = worst.margin / limit;
-    worst.reason = joint.name + " needs " + withUnit(needed, "rad/s") + ", limit " + withUnit(limit, "rad/s");
+    worst.reason = robot.joints[static_cast<std::size_t>(i)].name + " needs " + withUnit(needed, "rad/s") + ", limit " +
+                   withUnit(limit, "rad/s");
     worst.remedy = "lower the feed to " + withUnit(arrival.feed * limit / needed, "m/s");
   }
   if (options.least_feed_share < 1.0) {
@@ -99,6 +100,14 @@ double smallestSingularValue(const robot::Robot& robot, const JointVector& q, do
   const Eigen::Matrix<double, 6, 6> JJ = J * J.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(JJ, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
+}
+
+JointVector usableSpeeds(const robot::Robot& robot, const MotionOptions& options) {
+  JointVector speeds(robot.dof());
+  for (int i = 0; i < robot.dof(); ++i) {
+    speeds[i] = options.speed_fraction * robot.joints[static_cast<std::size_t>(i)].max_velocity;
+  }
+  return speeds;
 }
 
 WaypointVerdict checkWaypoint(const robot::Robot& robot, const JointVector& q, const Arrival* arrival,

@@ -24,6 +24,9 @@ double smallestSingularValue(const robot::Robot& robot, const JointVector& q, do
 /// [m].
 double characteristicLength(const robot::Robot& robot);
 
+/// How fast each joint may turn, and the controller's axis in its place: the usable fraction of its limit [rad/s].
+JointVector usableSpeeds(const robot::Robot& robot, const MotionOptions& options);
+
 /// The verdict on joint angles q and, unless null, on the move that leads there, its intermediate points included.
 /// Segment and index are left 0.
 WaypointVerdict checkWaypoint(const robot::Robot& robot, const JointVector& q, const Arrival* arrival,
