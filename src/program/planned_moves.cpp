@@ -69,6 +69,8 @@ void checkJoints(const ProgramInput& input, const JointVector& q, const std::str
   if (!q.allFinite()) throw InputError(where, "joint angle", "not finite", "finite");
 }
 
+/// The read-back refuses the same by itself: it is a witness only as long as it trusts nothing that the writer checked,
+/// and takes its feeds from the same plan.
 void checkFeedCount(const ProgramInput& input) {
   const std::size_t feeds = input.plan.feeds.size(), waypoints = toolpath::waypointCount(input.path);
   if (feeds == waypoints) return;

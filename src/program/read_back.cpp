@@ -79,6 +79,7 @@ public:
     for (const auto& at : expected) {
       if (at.q == nullptr) return {{at.segment, at.index, "the plan has no joint angles for it"}};
     }
+    // The writer refuses that too; the two share no check, so that what one misses the other need not.
     if (input_.plan.feeds.size() != expected.size()) {
       return {{-1, -1,
                "the plan has " + std::to_string(input_.plan.feeds.size()) + " feeds for " +
