@@ -175,54 +175,53 @@ JobOptions fastOptions() {
   return options;
 }
 
-TEST(Stages, AFeedTooFastForAJointIsLoweredInTheProgram) {
-  const Cell cell = makeCell(CellOptions(), source_package);
-  const FitStage fit = fitStage(scanFromSamples(smallScan(), cell, {}, {}, 1, {}), {}, {}, {}, 1, {});
-  JobOptions options = fastOptions();
-  const PathStage path = pathStage(*makePlanner("cutting", options), fit.scan, "base_link", options, {});
-  const MotionStage motion = motionStage(path, cell, options, {});
-  EXPECT_EQ(motion.report.out, motion.report.in);
-  EXPECT_GT(figure(motion.accuracy, "feed_lowered").value, 0.2 * static_cast<double>(motion.report.in));
-  EXPECT_GE(figure(motion.accuracy, "feed_least").value, 0.25 * options.path.feed - 1e-6);
-  EXPECT_LT(figure(motion.accuracy, "feed_least").value, 0.95 * options.path.feed);
-  EXPECT_THAT(motion.notes, ::testing::Contains(HasSubstr("feed lowered at ")));
-  const ProgramStage program = programStage(path, motion, cell, options, {}, {});
-  EXPECT_EQ(figure(program.accuracy, "read_back_discrepancies").value, 0.0);
-  const auto read = program::readRapid(program.files);
+class FastStages : public ::testing::Test {
+protected:
+  const Cell cell_ = makeCell(CellOptions(), source_package);
+  const FitStage fit_ = fitStage(scanFromSamples(smallScan(), cell_, {}, {}, 1, {}), {}, {}, {}, 1, {});
+  const JobOptions options_ = fastOptions();
+  const PathStage path_ = pathStage(*makePlanner("cutting", options_), fit_.scan, "base_link", options_, {});
+  const MotionStage motion_ = motionStage(path_, cell_, options_, {});
+  const ProgramStage program_ = programStage(path_, motion_, cell_, options_, {}, {});
+  const program::RapidProgram read_ = program::readRapid(program_.files);
+};
+
+TEST_F(FastStages, AFeedTooFastForAJointIsLoweredInTheProgram) {
+  EXPECT_EQ(motion_.report.out, motion_.report.in);
+  EXPECT_GT(figure(motion_.accuracy, "feed_lowered").value, 0.2 * static_cast<double>(motion_.report.in));
+  EXPECT_GE(figure(motion_.accuracy, "feed_least").value, 0.25 * options_.path.feed - 1e-6);
+  EXPECT_LT(figure(motion_.accuracy, "feed_least").value, 0.95 * options_.path.feed);
+  EXPECT_THAT(motion_.notes, ::testing::Contains(HasSubstr("feed lowered at ")));
+  EXPECT_EQ(figure(program_.accuracy, "read_back_discrepancies").value, 0.0);
   std::size_t move = 1, slower = 0;
-  for (const auto& segment : path.planned.path.segments) {
+  for (const auto& segment : path_.planned.path.segments) {
     for (const auto& waypoint : segment.waypoints) {
-      const double speed = read.moves[move].speed;
-      EXPECT_DOUBLE_EQ(speed, move == 1 ? options.program.start_speed : motion.plan.feeds[move - 1]);
+      const double speed = read_.moves[move].speed;
+      EXPECT_DOUBLE_EQ(speed, move == 1 ? options_.program.start_speed : motion_.plan.feeds[move - 1]);
       slower += move > 1 && speed < waypoint.feed ? 1 : 0;
       ++move;
     }
   }
-  EXPECT_EQ(static_cast<double>(slower), figure(motion.accuracy, "feed_lowered").value);
+  EXPECT_EQ(static_cast<double>(slower), figure(motion_.accuracy, "feed_lowered").value);
 }
 
 // The program against the trajectory's joint angles: between two waypoints no joint is faster than it may be. With the
 // feed asked for, the twin, many are.
-TEST(Stages, NoJointIsTooFastAtTheProgramsFeeds) {
-  const Cell cell = makeCell(CellOptions(), source_package);
-  const FitStage fit = fitStage(scanFromSamples(smallScan(), cell, {}, {}, 1, {}), {}, {}, {}, 1, {});
-  JobOptions options = fastOptions();
-  const PathStage path = pathStage(*makePlanner("cutting", options), fit.scan, "base_link", options, {});
-  const MotionStage motion = motionStage(path, cell, options, {});
-  const auto program = program::readRapid(programStage(path, motion, cell, options, {}, {}).files);
-  const auto& points = motion.plan.trajectory.points;
+TEST_F(FastStages, NoJointIsTooFastAtTheProgramsFeeds) {
+  const auto& points = motion_.plan.trajectory.points;
   std::size_t move = 1;
   int too_fast = 0, too_fast_as_asked = 0;
   for (std::size_t k = 1, from = 0; k < points.size(); ++k) {
     const bool is_waypoint =
         k + 1 == points.size() || points[k + 1].segment != points[k].segment || points[k + 1].index != points[k].index;
     if (!is_waypoint) continue;
-    const auto& waypoint = path.planned.path.segments[static_cast<std::size_t>(points[k].segment)]
+    const auto& waypoint = path_.planned.path.segments[static_cast<std::size_t>(points[k].segment)]
                                .waypoints[static_cast<std::size_t>(points[k].index)];
-    const auto &a = program.moves[move].T_base_tcp, &b = program.moves[move + 1].T_base_tcp;
-    const double speed = program.moves[++move].speed, way = (b.translation() - a.translation()).norm();
+    const auto &a = read_.moves[move].T_base_tcp, &b = read_.moves[move + 1].T_base_tcp;
+    const double speed = read_.moves[++move].speed, way = (b.translation() - a.translation()).norm();
     for (int j = 0; waypoint.process_on && j < 6; ++j) {
-      const double limit = options.motion.speed_fraction * cell.robot.joints[static_cast<std::size_t>(j)].max_velocity;
+      const double limit =
+          options_.motion.speed_fraction * cell_.robot.joints[static_cast<std::size_t>(j)].max_velocity;
       const double turn = std::abs(points[k].q[j] - points[from].q[j]);
       // Positions are written to 0.1 um, of ways of 0.1 mm and more.
       too_fast += turn * speed > way * limit * 1.002 ? 1 : 0;
@@ -230,7 +229,7 @@ TEST(Stages, NoJointIsTooFastAtTheProgramsFeeds) {
     }
     from = k;
   }
-  EXPECT_EQ(move + 1, program.moves.size());
+  EXPECT_EQ(move + 1, read_.moves.size());
   EXPECT_EQ(too_fast, 0);
   EXPECT_GT(too_fast_as_asked, 50);
 }
