@@ -32,7 +32,8 @@ public:
   /// Unit, in the scan plane.
   const Eigen::Vector2d& across() const { return across_; }
 
-  /// How far the next row's plane may be by the exact rule with this row's curvatures and slopes; NaN without a row.
+  /// How far the next row's plane may be by the exact rule with this row's curvatures and slopes; planeDistance without
+  /// a row.
   double ruleDistance(const std::vector<Row>& rows) const;
 
   /// L of the rule on a plane.

@@ -58,21 +58,27 @@ TEST(SolidPoints, OfNothingThereIsNoneNear) {
   EXPECT_FALSE(SolidPoints({}, 0.01).nearest(Vector3::Zero(), 1e3).has_value());
 }
 
+// On the part itself, in the scan frame although the lines are in the cloud's, each line from end to end in its order.
 TEST(SolidPoints, PointsOnLinesLieOnThemAndNoFartherApart) {
-  const scan::FittedScan scan = test::fittedSPart();
+  const geometry::SPart part;
   const double spacing = 1e-3;
+  const scan::FittedScan scan = test::fittedSPart(geometry::makeFrame({0.4, -0.2, 0.7}, {0.3, -0.2, 1.1}));
   const std::vector<Vector3> points = pointsOnLines(scan, spacing);
   std::size_t i = 0;
   for (const scan::FittedLine& line : scan.lines) {
-    const scan::Frame T_scan_cloud = scan.T_cloud_scan.inverse();
-    const Vector3 begin = T_scan_cloud * nurbs::pointAt(line.curve, line.begin);
-    const Vector3 end = T_scan_cloud * nurbs::pointAt(line.curve, line.end);
+    const double y = line.row * scan.pitch;
     ASSERT_LT(i, points.size());
-    EXPECT_LT((points[i] - begin).norm(), 1e-15);
-    for (; (points[i] - end).norm() > 1e-15; ++i) {
+    EXPECT_NEAR(points[i].x(), line.begin, 1e-12);
+    for (;; ++i) {
+      ASSERT_LT(i, points.size());
+      ASSERT_NEAR(points[i].y(), y, 1e-12);
+      ASSERT_NEAR(points[i].z(), part.jet(points[i].x(), y).z, 1e-8);  // the spline's error: some nanometres
+      if (points[i].x() >= line.end - 1e-12) break;
       ASSERT_LT(i + 1, points.size());
+      ASSERT_GT(points[i + 1].x(), points[i].x());
       // The parameter runs along x: on the part's steepest slope a step is longer than its share of x.
       EXPECT_LE((points[i + 1] - points[i]).norm(), 1.5 * spacing);
+      EXPECT_GE(points[i + 1].x() - points[i].x(), 0.5 * spacing) << "no more of them than needed";
     }
     ++i;
   }
