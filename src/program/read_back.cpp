@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axis_check.h"
+#include "expected_moves.h"
 #include "scan_to_path/common/angles.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
@@ -25,45 +27,6 @@ constexpr double start_angle_limit = 2.0 * angle_limit;  // [rad]
 /// Angle between two rotations [rad] from the distance of their matrices: |A - B| = 2 sqrt(2) sin(angle / 2).
 double rotationDistance(const Frame& a, const Frame& b) {
   return 2.0 * std::asin(std::min(1.0, (a.linear() - b.linear()).norm() / std::sqrt(8.0)));
-}
-
-/// What the other joints add to a coupled axis [rad].
-double otherJoints(const robot::CoupledAxis& coupled, const JointVector& q) {
-  double sum = 0.0;
-  for (const int joint : coupled.joints) sum += joint == coupled.axis ? 0.0 : q[joint];
-  return sum;
-}
-
-/// A waypoint as the plan has it.
-struct Expected {
-  int segment = 0;
-  int index = 0;
-  const toolpath::Waypoint* waypoint = nullptr;
-  const JointVector* q = nullptr;
-  bool process_on = false;  ///< in a segment that works: before the tool touches until after it has left
-};
-
-/// The path's waypoints with their joint angles (null where the plan has none), in order.
-std::vector<Expected> expectedMoves(const ProgramInput& input) {
-  std::vector<Expected> expected;
-  const auto& points = input.plan.trajectory.points;
-  std::size_t at = 0;
-  for (int s = 0; s < static_cast<int>(input.path.segments.size()); ++s) {
-    const auto& waypoints = input.path.segments[s].waypoints;
-    for (int i = 0; i < static_cast<int>(waypoints.size()); ++i) {
-      const JointVector* q = nullptr;
-      for (; at < points.size() && points[at].segment == s && points[at].index == i; ++at) q = &points[at].q;
-      expected.push_back({s, i, &waypoints[i], q});
-    }
-    const bool works =
-        std::count_if(waypoints.begin(), waypoints.end(), [](const auto& w) { return w.process_on; }) > 0;
-    for (auto at_row = expected.end() - static_cast<std::ptrdiff_t>(waypoints.size()); at_row != expected.end();
-         ++at_row) {
-      at_row->process_on = works;
-    }
-  }
-  if (!expected.empty()) expected.front().process_on = false;  // an axis move leads there
-  return expected;
 }
 
 class Comparison {
@@ -100,7 +63,9 @@ public:
       if (i > 0) checkFeedAsked(moves[i + 1], expected[i]);
       checkProcess(moves[i + 1], expected[i]);
       if (i == 0 || !expected[i - 1].process_on) checkProcessDelay(moves[i + 1], expected[i]);
-      checkAxes(moves[i + 1], expected[i]);
+      for (const auto& text : axisDiscrepancies(input_.robot, moves[i + 1], *expected[i].q)) {
+        report(&expected[i], text, &moves[i + 1]);
+      }
       const bool last = i + 1 == expected.size();
       checkZone(i + 1, expected[i], last || expected[i + 1].segment != expected[i].segment);
     }
@@ -108,17 +73,17 @@ public:
   }
 
 private:
-  void report(const Expected* at, const std::string& text, const RapidMove* move = nullptr) {
+  void report(const ExpectedMove* at, const std::string& text, const RapidMove* move = nullptr) {
     if (found_.size() >= limit_) return;
     const std::string where = move != nullptr ? move->file + " line " + std::to_string(move->line) + ": " : "";
     found_.push_back({at != nullptr ? at->segment : -1, at != nullptr ? at->index : -1, where + text});
   }
 
-  Frame plannedTarget(const Expected& at) const {
+  Frame plannedTarget(const ExpectedMove& at) const {
     return input_.T_base_path * at.waypoint->pose * input_.path.T_contact_tcp;
   }
 
-  void checkTarget(const RapidMove& move, const Expected& at) {
+  void checkTarget(const RapidMove& move, const ExpectedMove& at) {
     if (move.type != RapidMoveType::linear) report(&at, "the move is not linear", &move);
     const Frame planned = plannedTarget(at);
     const double distance = (move.T_base_tcp.translation() - planned.translation()).norm();
@@ -132,7 +97,7 @@ private:
     }
   }
 
-  void checkFeed(const RapidMove& move, const Expected& at, double planned) {
+  void checkFeed(const RapidMove& move, const ExpectedMove& at, double planned) {
     if (!(std::abs(move.speed - planned) <= feed_limit)) {
       report(&at, "feed is " + fixed(move.speed, 6) + " m/s, planned " + fixed(planned, 6) + " m/s", &move);
     }
@@ -145,7 +110,7 @@ private:
   }
 
   /// The motion may lower a feed, but never raise it.
-  void checkFeedAsked(const RapidMove& move, const Expected& at) {
+  void checkFeedAsked(const RapidMove& move, const ExpectedMove& at) {
     if (move.speed <= at.waypoint->feed + feed_limit) return;
     report(
         &at,
@@ -153,7 +118,7 @@ private:
         &move);
   }
 
-  void checkProcess(const RapidMove& move, const Expected& at) {
+  void checkProcess(const RapidMove& move, const ExpectedMove& at) {
     const bool planned = at.process_on;
     if (move.process_on != planned) {
       report(&at,
@@ -164,7 +129,7 @@ private:
   }
 
   /// The tool must not move on before what process_signal starts runs.
-  void checkProcessDelay(const RapidMove& move, const Expected& at) {
+  void checkProcessDelay(const RapidMove& move, const ExpectedMove& at) {
     const auto& options = input_.options;
     constexpr double digit = 1e-3;  // [s], the last one written
     if (!at.process_on || options.process_signal.empty()) return;
@@ -176,50 +141,8 @@ private:
     }
   }
 
-  /// Quadrants by their definition: 90 cf <= angle <= 90 (cf + 1) degrees.
-  void checkAxes(const RapidMove& move, const Expected& at) {
-    JointVector axes = *at.q;
-    if (const auto& coupled = input_.robot.coupled_axis) axes[coupled->axis] += otherJoints(*coupled, *at.q);
-    constexpr std::array<int, 3> joints = {0, 3, 5};
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const double lower = right_angle * move.configuration[i];
-      const double angle = axes[joints[i]];
-      if (angle < lower - 1e-6 || angle > lower + right_angle + 1e-6) {
-        report(&at,
-               "quadrant of axis " + std::to_string(joints[i] + 1) + " is " + std::to_string(move.configuration[i]) +
-                   " at " + fixed(degrees_per_radian * angle, 3) + " deg",
-               &move);
-      }
-    }
-    const bool negative = move.configuration[3] % 2 != 0;
-    if (std::abs(axes[4]) > 1e-6 && negative != (axes[4] < 0.0)) {
-      report(&at,
-             "cfx " + std::to_string(move.configuration[3]) + " does not fit axis 5 at " +
-                 fixed(degrees_per_radian * axes[4], 3) + " deg",
-             &move);
-    }
-    checkRanges(move, at, axes);
-  }
-
-  /// What the controller checks by itself: every axis within its own range.
-  void checkRanges(const RapidMove& move, const Expected& at, const JointVector& axes) {
-    for (int i = 0; i < 6; ++i) {
-      const auto& joint = input_.robot.joints[static_cast<std::size_t>(i)];
-      const auto& coupled = input_.robot.coupled_axis;
-      const bool is_coupled = coupled && coupled->axis == i;
-      const double lower = is_coupled ? coupled->lower : joint.lower;
-      const double upper = is_coupled ? coupled->upper : joint.upper;
-      if (axes[i] >= lower && axes[i] <= upper) continue;
-      report(&at,
-             "axis " + std::to_string(i + 1) + " would stand at " + fixed(degrees_per_radian * axes[i], 3) +
-                 " deg on the controller, limits " + fixed(degrees_per_radian * lower, 1) + " and " +
-                 fixed(degrees_per_radian * upper, 1) + " deg",
-             &move);
-    }
-  }
-
   /// The corner at moves[m] may be cut by the tolerance and the zones of neighbours must not meet.
-  void checkZone(std::size_t m, const Expected& at, bool segment_end) {
+  void checkZone(std::size_t m, const ExpectedMove& at, bool segment_end) {
     const auto& moves = program_.moves;
     if (moves[m].stop) return;
     if (segment_end) report(&at, "no stop at the end of a segment", &moves[m]);
@@ -240,7 +163,7 @@ private:
     }
   }
 
-  void checkStart(const RapidMove& move, const Expected& at) {
+  void checkStart(const RapidMove& move, const ExpectedMove& at) {
     if (move.type != RapidMoveType::absolute_joint) return report(&at, "the first move is not MoveAbsJ", &move);
     if (!move.stop) report(&at, "no stop at the start", &move);
     if (move.process_on) report(&at, "process is on while the arm moves to the start", &move);
@@ -259,7 +182,7 @@ private:
   }
 
   /// Forward kinematics of the start angles read against the first target read, which it does not come from.
-  void checkStartPose(const RapidMove& move, const Expected& at, const JointVector& q) {
+  void checkStartPose(const RapidMove& move, const ExpectedMove& at, const JointVector& q) {
     if (program_.moves.size() < 2) return;
     const Frame reached = robot::forwardKinematics(input_.robot, q) * program_.tools[move.tool].T_tip_tcp;
     const Frame& target = program_.moves[1].T_base_tcp;
