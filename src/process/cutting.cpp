@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 
 #include "scan_to_path/common/error.h"
@@ -84,22 +83,23 @@ std::vector<Value> withLinksBetween(const ToolPath& path, const std::vector<Valu
   return values;
 }
 
-/// The scan's obstacles as what links keep their clearance over; some at a time, so that most are passed over at once.
-std::vector<Segment> obstaclesBelow(const scan::FittedScan& scan) {
+/// Points by groups of what lies together.
+using PointGroups = std::vector<std::vector<Vector3>>;
+
+/// The scan's obstacles, which links keep their clearance over; some at a time, so that most are passed over at once.
+void addObstaclesBelow(const scan::FittedScan& scan, PointGroups& below) {
   constexpr std::size_t at_a_time = 500;
-  std::vector<Segment> below;
   for (std::size_t i = 0; i < scan.obstacles.size(); ++i) {
     if (i % at_a_time == 0) below.emplace_back();
-    Waypoint waypoint;
-    waypoint.pose.translation() = scan.T_cloud_scan * scan.obstacles[i].cast<double>();
-    below.back().waypoints.push_back(waypoint);
+    below.back().push_back(scan.T_cloud_scan * scan.obstacles[i].cast<double>());
   }
-  return below;
 }
 
-std::vector<Segment> rowsOf(const ToolPath& path) {
-  std::vector<Segment> rows;
-  std::copy_if(path.segments.begin(), path.segments.end(), std::back_inserter(rows), toolpath::isRow);
+PointGroups rowPoints(const ToolPath& path) {
+  PointGroups rows;
+  for (const Segment& segment : path.segments) {
+    if (toolpath::isRow(segment)) rows.push_back(toolpath::positionsOf(segment));
+  }
   return rows;
 }
 
@@ -179,7 +179,7 @@ public:
       for (const RowPart& part : cut.parts) {
         planned.allowances.push_back(whole.allowances[static_cast<std::size_t>(part.source)]);
       }
-      join(planned, scanOf(input), rowsOf(whole.path), whole.figures, progress);
+      join(planned, scanOf(input), rowPoints(whole.path), whole.figures, progress);
       planned.parts = withLinksBetween(planned.path, cut.parts, RowPart{});
     }
     progress.update("path", 1.0);
@@ -220,13 +220,13 @@ private:
 
   /// Leads, links, findings and figures of a path that has its rows and what each leaves on the surface.
   /// `whole_figures` are those of the path as first planned.
-  void join(PlannedPath& planned, const scan::FittedScan& scan, std::vector<Segment> also_below,
+  void join(PlannedPath& planned, const scan::FittedScan& scan, PointGroups also_below,
             const std::vector<Figure>& whole_figures, const Progress& progress) const {
-    const std::vector<Segment> obstacles = obstaclesBelow(scan);
-    also_below.insert(also_below.end(), obstacles.begin(), obstacles.end());
+    addObstaclesBelow(scan, also_below);
     planned.path = toolpath::withLeads(std::move(planned.path), options_.leads);
     const Vector3 up = scan.T_cloud_scan.linear().col(2);
-    planned.path = toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, linksOverStock(), also_below);
+    planned.path =
+        toolpath::withLinks(std::move(planned.path), up, options_.ball_radius, linksOverStock(), std::move(also_below));
     planned.path = toolpath::snapped(std::move(planned.path));
     planned.allowances = withLinksBetween(planned.path, planned.allowances, 0.0);
     const auto target = options_.row_source == RowSource::scan_lines ? toolpath::GougeTarget::surface_and_lines

@@ -52,19 +52,17 @@ void addLeads(Segment& row, const LeadOptions& options) {
   row.waypoints.push_back(airWaypoint(moved(last, last.linear() * out), feed));
 }
 
-/// A row's contacts in a box around `up`, to find quickly what lies below a link.
-struct RowShadow {
+/// What lies together, in a box, to find quickly what of it is below a link.
+struct Shadow {
   Eigen::AlignedBox3d box;
-  const Segment* row = nullptr;
+  std::vector<Vector3> points;
 };
 
-void addShadows(const std::vector<Segment>& rows, std::vector<RowShadow>& shadows) {
-  for (const auto& row : rows) {
-    RowShadow shadow;
-    shadow.row = &row;
-    for (const auto& waypoint : row.waypoints) shadow.box.extend(waypoint.pose.translation());
-    shadows.push_back(shadow);
-  }
+Shadow shadowOf(std::vector<Vector3> points) {
+  Shadow shadow;
+  for (const auto& point : points) shadow.box.extend(point);
+  shadow.points = std::move(points);
+  return shadow;
 }
 
 /// Distance from p to the straight line between a and b, seen along `up`.
@@ -78,21 +76,20 @@ double distanceSeenAlong(const Vector3& up, const Vector3& a, const Vector3& b, 
 }
 
 /// Half the diagonal of a box bounds how far its points are from its middle.
-bool mayLieBelow(const RowShadow& shadow, const Vector3& up, const Vector3& a, const Vector3& b, double corridor,
+bool mayLieBelow(const Shadow& shadow, const Vector3& up, const Vector3& a, const Vector3& b, double corridor,
                  double height) {
   const double reach = 0.5 * shadow.box.diagonal().norm();
   return up.dot(shadow.box.center()) + reach > height &&
          distanceSeenAlong(up, a, b, shadow.box.center()) <= corridor + reach;
 }
 
-/// Height along `up` of the highest waypoint under the link from a to b.
-double heightBelow(const std::vector<RowShadow>& shadows, const Vector3& up, const Vector3& a, const Vector3& b,
+/// Height along `up` of the highest point under the link from a to b.
+double heightBelow(const std::vector<Shadow>& shadows, const Vector3& up, const Vector3& a, const Vector3& b,
                    double corridor) {
   double height = std::max(up.dot(a), up.dot(b));
   for (const auto& shadow : shadows) {
     if (!mayLieBelow(shadow, up, a, b, corridor, height)) continue;
-    for (const auto& waypoint : shadow.row->waypoints) {
-      const Vector3 p = waypoint.pose.translation();
+    for (const auto& p : shadow.points) {
       if (up.dot(p) > height && distanceSeenAlong(up, a, b, p) <= corridor) height = up.dot(p);
     }
   }
@@ -145,10 +142,10 @@ std::string nameInLinks(std::string name) {
 class Linker {
 public:
   Linker(const std::vector<Segment>& rows, const Vector3& up, double corridor, const LinkOptions& options,
-         const std::vector<Segment>& also_below)
+         std::vector<std::vector<Vector3>> also_below)
       : rows_(rows), up_(up), corridor_(corridor), options_(options) {
-    addShadows(rows, shadows_);
-    addShadows(also_below, shadows_);
+    for (const auto& row : rows) shadows_.push_back(shadowOf(positionsOf(row)));
+    for (auto& points : also_below) shadows_.push_back(shadowOf(std::move(points)));
   }
 
   std::vector<Segment> joined() const {
@@ -202,7 +199,7 @@ private:
   }
 
   const std::vector<Segment>& rows_;
-  std::vector<RowShadow> shadows_;
+  std::vector<Shadow> shadows_;
   Vector3 up_;
   double corridor_;
   LinkOptions options_;
@@ -219,14 +216,14 @@ ToolPath withLeads(ToolPath path, const LeadOptions& options) {
 }
 
 ToolPath withLinks(ToolPath path, const Vector3& up, double corridor, const LinkOptions& options,
-                   const std::vector<Segment>& also_below) {
+                   std::vector<std::vector<Vector3>> also_below) {
   validate(options, "links");
   std::vector<Segment> rows;
   for (auto& segment : path.segments) {
     if (isRow(segment)) rows.push_back(std::move(segment));
   }
   if (rows.empty()) throw InputError("tool path: no segment works, there is nothing to link");
-  path.segments = Linker(rows, up, corridor, options, also_below).joined();
+  path.segments = Linker(rows, up, corridor, options, std::move(also_below)).joined();
   return withArcLength(std::move(path));
 }
 

@@ -179,6 +179,13 @@ std::size_t waypointCount(const ToolPath& path) {
   return count;
 }
 
+std::vector<geometry::Vector3> positionsOf(const Segment& segment) {
+  std::vector<geometry::Vector3> positions;
+  positions.reserve(segment.waypoints.size());
+  for (const auto& waypoint : segment.waypoints) positions.emplace_back(waypoint.pose.translation());
+  return positions;
+}
+
 Travel travelOf(const ToolPath& path) {
   Travel travel;
   const Waypoint* before = nullptr;

@@ -126,7 +126,7 @@ TEST(Modifiers, LinksClimbOverWhatIsNotDriven) {
   LinkOptions options;
   const auto height = [](const ToolPath& linked) { return linked.segments[2].waypoints[1].pose.translation().z(); };
   EXPECT_NEAR(height(withLinks(path, up, 0.02, options)), options.approach + options.clearance, 1e-12);
-  EXPECT_NEAR(height(withLinks(path, up, 0.02, options, {left_out})), 0.05 + options.clearance, 1e-12);
+  EXPECT_NEAR(height(withLinks(path, up, 0.02, options, {positionsOf(left_out)})), 0.05 + options.clearance, 1e-12);
 }
 
 TEST(Modifiers, TheToolTurnsToAndFroBetweenZigZagRows) {

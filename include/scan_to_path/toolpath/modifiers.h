@@ -46,9 +46,9 @@ ToolPath withLeads(ToolPath path, const LeadOptions& options);
 /// row, along `up` to the clearance over every contact within `corridor` [m] of the link, across, and down again. The
 /// tool turns in steps of at most 45 degrees; a turn of more than 90 goes round by the direction of travel, so that
 /// zig-zag rows turn it to and fro, and back where that would wind it up from pass to pass. Links keep the same
-/// clearance over the waypoints of `also_below`. Replaces links that are there already: applied twice equals once.
-/// `up` is a unit vector in the path's frame. Throws InputError when the path has no rows.
+/// clearance over the points of `also_below`, in groups of what lies together. Replaces links that are there already:
+/// applied twice equals once. `up` is a unit vector in the path's frame. Throws InputError when the path has no rows.
 ToolPath withLinks(ToolPath path, const Vector3& up, double corridor, const LinkOptions& options,
-                   const std::vector<Segment>& also_below = {});
+                   std::vector<std::vector<Vector3>> also_below = {});
 
 }  // namespace scan_to_path::toolpath

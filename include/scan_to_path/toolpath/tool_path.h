@@ -46,6 +46,9 @@ struct ToolPath {
 
 std::size_t waypointCount(const ToolPath& path);
 
+/// Where a segment's contact frames stand, in order [m].
+std::vector<geometry::Vector3> positionsOf(const Segment& segment);
+
 /// How far the contact travels, over all moves of a path.
 struct Travel {
   double worked = 0.0;  ///< with the process on [m]
