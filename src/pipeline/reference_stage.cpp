@@ -6,6 +6,7 @@
 
 #include "scan_to_path/pipeline/path_stage.h"
 #include "scan_to_path/scan/outline.h"
+#include "scan_to_path/toolpath/scallop.h"
 #include "scan_to_path/verification/path_deviation.h"
 #include "scan_to_path/verification/scallop_check.h"
 
@@ -15,10 +16,9 @@ namespace {
 using geometry::Frame;
 using geometry::Vector3;
 
-constexpr double along = 2e-3;         // [m] between looks along the rows
-constexpr double across = 1e-4;        // [m] across them: a cusp falls by a tenth of what a look misses it by
-constexpr double above = 1.0;          // [m] over the scan's origin, where the looks start
-constexpr double highest_cusp = 1e-3;  // [m]; more counts as uncut
+constexpr double along = 2e-3;   // [m] between looks along the rows
+constexpr double across = 1e-4;  // [m] across them: a cusp falls by a tenth of what a look misses it by
+constexpr double above = 1.0;    // [m] over the scan's origin, where the looks start
 
 /// A grid over the outline, its x axis along the rows.
 verification::SampleGrid gridOver(const scan::FittedScan& scan, double direction) {
@@ -59,6 +59,17 @@ std::vector<geometry::SurfacePoint> machinedPoints(const scan::FittedScan& scan,
   return points;
 }
 
+/// The highest that counts as a cusp between rows [m]; more is uncut. Cusps grow with the square of the rows' distance:
+/// where they are ten times as high as they are meant to be, rows are three times as far apart, so that some are
+/// missing, and above the ball's radius balls on a plane do not meet. An edge makes them four times as high.
+double highestCusp(const process::CuttingOptions& cutting, double scan_pitch) {
+  constexpr double too_many_times = 10.0;
+  const double r = cutting.ball_radius;
+  const double given = cutting.row_source == process::RowSource::surface ? cutting.pitch : scan_pitch;
+  const double meant = std::max(cutting.scallop_height, toolpath::scallopHeight(std::min(given, 2.0 * r), r, 0.0));
+  return std::min(too_many_times * meant, r);
+}
+
 /// Without the passes that leave stock on the surface.
 toolpath::ToolPath lastPass(const process::PlannedPath& planned) {
   toolpath::ToolPath last = planned.path;
@@ -92,7 +103,8 @@ std::vector<Accuracy> compareWithReference(const process::PlannedPath& planned, 
   const double direction = cutting.row_source == process::RowSource::surface ? cutting.direction : 0.0;
   const auto points = machinedPoints(scan, direction, cutting.edge_margin, regionOf(options), reference);
   if (points.empty()) return figures;
-  const auto scallop = verification::checkScallops(planned.path, cutting.ball_radius, points, highest_cusp, threads);
+  const auto scallop =
+      verification::checkScallops(planned.path, cutting.ball_radius, points, highestCusp(cutting, scan.pitch), threads);
   figures.push_back({"reference_scallop_largest", scallop.highest, "m", limitUnlessZero(limits.max_reference_scallop)});
   figures.push_back({"reference_scallop_mean", scallop.mean, "m"});
   figures.push_back({"reference_deepest_cut", scallop.deepest_cut, "m", limitUnlessZero(limits.max_reference_cut)});

@@ -128,6 +128,41 @@ TEST_F(ReferenceStage, SeesADroppedRow) {
   EXPECT_GT(valueOf(figures, "reference_scallop_largest"), 3.0 * options.path.scallop_height);
 }
 
+// A row that is missing makes a cusp four times as high, whatever height is meant: it is measured, not taken for uncut.
+TEST_F(ReferenceStage, MeasuresADroppedRowAtAnyScallopHeight) {
+  JobOptions options;
+  for (const double height : {5e-5, 3e-4}) {
+    options.path.scallop_height = height;
+    auto path = planned(options);
+    for (auto& segment : path.path.segments) {
+      if (segment.name != "row_4") continue;
+      for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
+    }
+    const auto figures = compareWithReference(path, scan_, options, *reference_, 1);
+    EXPECT_GT(valueOf(figures, "reference_scallop_largest"), 3.5 * height);
+    EXPECT_LT(valueOf(figures, "reference_scallop_largest"), 4.2 * height);
+    EXPECT_EQ(valueOf(figures, "reference_uncut_share"), 0.0);
+  }
+}
+
+// Rows 15 mm apart leave 20 - sqrt(20^2 - 7.5^2) = 1.46 mm on a plane: that is what they were asked to. With every row
+// but the first one gone the part is uncut.
+TEST_F(ReferenceStage, MeasuresWhatAPitchLeaves) {
+  JobOptions options;
+  options.path.pitch = 0.015;
+  auto path = planned(options);
+  auto figures = compareWithReference(path, scan_, options, *reference_, 1);
+  // The saddle bends by 1 / 0.15 m and more; a look misses a cusp by 0.05 mm, which is 0.05 * 7.5 / 20 = 0.02 mm of it.
+  EXPECT_NEAR(valueOf(figures, "reference_scallop_largest"), 1.46e-3, 0.2e-3);
+  EXPECT_EQ(valueOf(figures, "reference_uncut_share"), 0.0);
+  for (auto& segment : path.path.segments) {
+    if (segment.name == "row_0") continue;
+    for (auto& waypoint : segment.waypoints) waypoint.process_on = false;
+  }
+  figures = compareWithReference(path, scan_, options, *reference_, 1);
+  EXPECT_GT(valueOf(figures, "reference_uncut_share"), 0.5);
+}
+
 TEST_F(ReferenceStage, SameForAnyNumberOfThreads) {
   const JobOptions options;
   const auto path = planned(options);
