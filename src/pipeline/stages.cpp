@@ -13,6 +13,7 @@
 #include "scan_to_path/pipeline/background_findings.h"
 #include "scan_to_path/pipeline/joint_findings.h"
 #include "scan_to_path/pipeline/lowered_feeds.h"
+#include "scan_to_path/pipeline/short_moves.h"
 #include "scan_to_path/pipeline/unseen_share.h"
 #include "scan_to_path/scan/cloud_io.h"
 #include "scan_to_path/verification/playback.h"
@@ -259,6 +260,9 @@ MotionStage motionStage(const PathStage& path, const Cell& cell, const JobOption
   const LoweredFeeds lowered = loweredFeeds(planned.path, stage.plan.feeds);
   stage.accuracy.insert(stage.accuracy.end(), lowered.accuracy.begin(), lowered.accuracy.end());
   if (lowered.note) stage.notes.push_back(*lowered.note);
+  const ShortMoves moves = shortMoves(planned.path, stage.plan.trajectory, options.motion.shortest_move_time);
+  stage.accuracy.insert(stage.accuracy.end(), moves.accuracy.begin(), moves.accuracy.end());
+  if (moves.note) stage.notes.push_back(*moves.note);
   if (!stage.plan.trajectory.points.empty()) {
     stage.accuracy.push_back({"duration", stage.plan.trajectory.points.back().time, "s"});
   }

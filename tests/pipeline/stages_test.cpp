@@ -234,6 +234,34 @@ TEST_F(FastStages, NoJointIsTooFastAtTheProgramsFeeds) {
   EXPECT_GT(too_fast_as_asked, 50);
 }
 
+// No move of a row is faster than its length over its feed, and most have no ramp: half of them are short of the
+// median.
+TEST_F(FastStages, MovesShorterThanAControllersCycleAreNoted) {
+  EXPECT_EQ(figure(motion_.accuracy, "short_moves").value, 0.0);
+  EXPECT_THAT(motion_.notes, ::testing::Each(::testing::Not(HasSubstr("shortest_move_time"))));
+  std::vector<double> times;
+  std::size_t waypoint = 0;
+  for (const auto& segment : path_.planned.path.segments) {
+    for (std::size_t i = 0; i < segment.waypoints.size(); ++i, ++waypoint) {
+      if (i == 0 || !segment.waypoints[i].process_on) continue;
+      const double way = segment.waypoints[i].arc_length - segment.waypoints[i - 1].arc_length;
+      times.push_back(way / motion_.plan.feeds[waypoint]);
+    }
+  }
+  std::sort(times.begin(), times.end());
+  JobOptions slow = options_;
+  slow.motion.shortest_move_time = times[times.size() / 2];
+  const MotionStage motion = motionStage(path_, cell_, slow, {});
+  EXPECT_GT(figure(motion.accuracy, "short_moves").value, 0.4 * static_cast<double>(times.size()));
+  EXPECT_THAT(motion.notes, ::testing::Contains(HasSubstr(" (motion.shortest_move_time), the shortest ")));
+  EXPECT_EQ(motion.report.out, motion.report.in) << "a note, no failure";
+  const double shortest = figure(motion.accuracy, "shortest_move").value;
+  slow.motion.shortest_move_time = 0.999 * shortest;
+  EXPECT_EQ(figure(motionStage(path_, cell_, slow, {}).accuracy, "short_moves").value, 0.0);
+  slow.motion.shortest_move_time = 1.001 * shortest;
+  EXPECT_GE(figure(motionStage(path_, cell_, slow, {}).accuracy, "short_moves").value, 1.0);
+}
+
 // The whole air run against the real one: trajectory, pulses and program are the path's lift off it, everywhere.
 TEST(Stages, AnAirRunIsTheRealOneLifted) {
   const Cell cell = makeCell(CellOptions(), source_package);

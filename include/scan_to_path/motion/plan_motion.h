@@ -18,6 +18,7 @@ struct MotionOptions {
   double speed_fraction = 0.9;
   double least_feed_share = 0.25;
   double acceleration = 1.0;
+  double shortest_move_time = 0.004;
   int candidate_waypoints = 500;
 
   template <class Self, class Visitor>
@@ -38,6 +39,9 @@ struct MotionOptions {
                 0.0, 1.0});
     visit(self.acceleration,
           Field{"acceleration", "m/s^2", "of the tool centre point along the path, in the timing", 0.01, 100.0});
+    visit(self.shortest_move_time,
+          Field{"shortest_move_time", "s",
+                "moves between waypoints that last less are noted: a controller's cycle; 0: none", 0.0, 1.0});
     visit(self.candidate_waypoints,
           Field{"candidate_waypoints", "", "waypoints on which the first waypoint's configurations are compared", 2,
                 1e6});
