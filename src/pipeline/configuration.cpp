@@ -257,14 +257,19 @@ std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const
   return set;
 }
 
-std::set<std::string> applyYamlFile(const std::vector<FieldReference>& fields, const std::filesystem::path& file) {
-  std::set<std::string> set = applyYaml(fields, readFile(file), file.string());
+std::set<std::string> applyConfiguration(const std::vector<FieldReference>& fields, const std::string& text,
+                                         const std::string& source) {
+  std::set<std::string> set = applyYaml(fields, text, source);
   if (set.empty()) {
-    throw InputError(file.string() +
+    throw InputError(source +
                      ": sets nothing; a configuration is sections of keys (see --print-config), and "
                      "where the defaults are to hold there is none");
   }
   return set;
+}
+
+std::set<std::string> applyYamlFile(const std::vector<FieldReference>& fields, const std::filesystem::path& file) {
+  return applyConfiguration(fields, readFile(file), file.string());
 }
 
 std::string applyAssignment(const std::vector<FieldReference>& fields, const std::string& assignment) {

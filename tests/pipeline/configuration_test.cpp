@@ -197,6 +197,8 @@ TEST(Configuration, AFileThatSetsNothingIsRefused) {
   EXPECT_EQ(outer.count, 4);
   std::filesystem::remove(file);
   EXPECT_THAT(errorOf([&] { applyYamlFile(fields, file); }), HasSubstr("cannot read"));
+  EXPECT_THAT(errorOf([&] { applyConfiguration(fields, "# count: 3\n", "a pipe"); }),
+              HasSubstr("a pipe: sets nothing"));
 }
 
 TEST(Configuration, AssignmentsSetOneField) {

@@ -167,6 +167,10 @@ class CellFaults(unittest.TestCase):
         self.expect_refused(self.job_of("unknown", "path: {leed: 0.01}"), "unknown key path.leed, did you mean path.feed?")
         self.expect_not_recording()
         self.expect_failed(self.job_of("range", "scan: {placement: {max_joint_gap: -1}}"), "scan.placement.max_joint_gap")
+        # A pipe gives its text once, as a file may that changes: what was checked is what the job server gets.
+        piped = cell.Job(self.directory / "piped", arguments=("--config", "/dev/stdin"))
+        piped.answer("scan: {placement: {max_joint_gap: -1}}")
+        self.expect_failed(piped, "scan.placement.max_joint_gap")
 
     def test_the_sensor_is_silent(self):
         rospy.set_param("/cell/emulated", False)  # a real robot's cell, whose robot and sensor are silent

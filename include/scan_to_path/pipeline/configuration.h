@@ -59,8 +59,12 @@ std::vector<FieldReference> fieldReferences(Options& options, const std::string&
 std::set<std::string> applyYaml(const std::vector<FieldReference>& fields, const std::string& text,
                                 const std::string& source);
 
-/// The same with a file, whose name stands in messages. A file that sets nothing is refused: it is a broken one, or not
-/// the one that was meant. Throws InputError as applyYaml does, and when the file cannot be read.
+/// The same with the text of a file that a user named. One that sets nothing is refused: it is a broken one, or not the
+/// one that was meant.
+std::set<std::string> applyConfiguration(const std::vector<FieldReference>& fields, const std::string& text,
+                                         const std::string& source);
+
+/// The same with the file itself, whose name stands in messages. Throws InputError when it cannot be read, too.
 std::set<std::string> applyYamlFile(const std::vector<FieldReference>& fields, const std::filesystem::path& file);
 
 /// Overwrites one field from "section.name=value" (the value as in YAML) and returns its path. Throws InputError as

@@ -56,9 +56,10 @@ scan_to_path::RunJobGoal goalFrom(const Flags& flags) {
   scan_to_path::RunJobGoal goal;
   goal.process = flags.process;
   if (!flags.config.empty()) {
+    goal.configuration = scan_to_path::readFile(flags.config);  // once: what is checked is what is sent
     scan_to_path::pipeline::JobOptions options;
-    scan_to_path::pipeline::applyYamlFile(scan_to_path::pipeline::fieldReferences(options), flags.config);
-    goal.configuration = scan_to_path::readFile(flags.config);
+    scan_to_path::pipeline::applyConfiguration(scan_to_path::pipeline::fieldReferences(options), goal.configuration,
+                                               flags.config);
   }
   goal.out = std::filesystem::absolute(flags.out.empty() ? "out/" + flags.process : flags.out).string();
   goal.review = static_cast<std::uint8_t>(flags.review);
