@@ -22,8 +22,8 @@ struct SamplePlacerOptions : TransformHistoryOptions {
   double clock_offset = 0.0;     ///< added to the sensor's stamps to get tf's [s]
   double max_joint_jump = 5e-5;  ///< see checkSensorJumps [rad]
   core::pipeline::ReportOptions limits;
-  double range_min = 0.0;  ///< the sensor's nearest and farthest distance [m]
-  double range_max = 0.0;
+  double range_min = 0.0;  ///< nearest and farthest that the sensor measures: beyond them it rests at its end [m]
+  double range_max = 100.0;
 };
 
 /// Places range samples in the base frame by tf2 at each sample's own stamp: it waits for transforms that are late or
@@ -75,6 +75,7 @@ private:
   void leaveOut(const Sample& sample, const char* reason);
   void giveUp(const char* reason);
   void check(const core::ScanSamples& samples) const;
+  double measured(double range) const;
 
   SamplePlacerOptions options_;
   TransformHistory transforms_;

@@ -109,8 +109,9 @@ class ScanAccumulator : public nodelet::Nodelet {
     placing.max_joint_jump = options.scan.placement.max_joint_jump;
     placing.limits = options.report;
     placing.clock_offset = options.scan.placement.clock_offset;
-    placing.range_min = options.cell.laser.distance_min;
-    placing.range_max = options.cell.laser.distance_max;
+    const auto range = scan_to_path::sensing::measuringRange(options.cell.laser);
+    placing.range_min = range.nearest;
+    placing.range_max = range.farthest;
     placing.max_wait = scan_to_path_ros::parameter(getPrivateNodeHandle(), "max_wait", placing.max_wait);
     return placing;
   }

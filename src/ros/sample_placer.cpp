@@ -6,6 +6,7 @@
 #include <tf2/exceptions.h>
 
 #include <cmath>
+#include <limits>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
@@ -95,9 +96,16 @@ void SamplePlacer::addSamples(const core::ScanSamples& samples) {
   if (start_.isZero()) start_ = samples.header.stamp + ros::Duration(samples.time_offset.front());
   for (std::size_t i = 0; i < samples.range.size(); ++i) {
     const ros::Time stamp = samples.header.stamp + ros::Duration(samples.time_offset[i]);
-    waiting_.push_back({stamp, onGrid((stamp - start_).toSec()), samples.range[i]});
+    waiting_.push_back({stamp, onGrid((stamp - start_).toSec()), measured(samples.range[i])});
   }
   placeWaiting();
+}
+
+/// What a sensor says that rests at the end of its range is as little a measurement as what it says beyond it.
+double SamplePlacer::measured(double range) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (range < options_.range_min) return -infinity;
+  return range > options_.range_max ? infinity : range;
 }
 
 void SamplePlacer::finish() {

@@ -103,6 +103,7 @@ std::vector<double> readEncoders(const Setup& setup, const robot::Encoders& enco
 }
 
 RangeEvidence evidenceOf(const std::vector<LaserSpot::Reading>& readings, const PointLaserOptions& laser) {
+  const MeasuringRange range = measuringRange(laser);
   RangeEvidence evidence;
   evidence.samples = readings.size();
   for (const auto& reading : readings) {
@@ -111,8 +112,8 @@ RangeEvidence evidenceOf(const std::vector<LaserSpot::Reading>& readings, const 
       continue;
     }
     const double distance = *reading.on_axis;
-    if (distance < laser.distance_min) ++evidence.too_near;
-    if (distance > laser.distance_max) ++evidence.too_far;
+    if (distance < range.nearest) ++evidence.too_near;
+    if (distance > range.farthest) ++evidence.too_far;
     const bool is_first = evidence.farthest == 0.0;
     evidence.nearest = is_first ? distance : std::min(evidence.nearest, distance);
     evidence.farthest = std::max(evidence.farthest, distance);

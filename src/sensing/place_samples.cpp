@@ -10,6 +10,7 @@
 #include "scan_to_path/common/parallel.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/sensing/joint_readings.h"
+#include "scan_to_path/sensing/resting_sensor.h"
 
 namespace scan_to_path::sensing {
 namespace {
@@ -86,7 +87,7 @@ void addNoReturn(const Placement& placement, std::size_t sample, std::size_t& cu
   const double time = placement.log.sensor_time[sample] + placement.clock_offset;
   if (placement.readings.anglesAt(time, cursor, angles) != JointReadings::Status::found) return;
   const Frame T_base_tip = robot::forwardKinematics(placement.robot, angles);
-  const Vector3 far_end_tip = placement.origin_tip + placement.laser.distance_max * placement.beam_tip;
+  const Vector3 far_end_tip = placement.origin_tip + measuringRange(placement.laser).farthest * placement.beam_tip;
   block.no_returns.push_back(
       {(T_base_tip * far_end_tip).cast<float>(), isTooNear(placement.laser, placement.log.voltage[sample])});
 }
@@ -168,8 +169,9 @@ void joinBlocks(const std::vector<Block>& blocks, scan::ScanCloud& cloud) {
 
 scan::NoReturns joinedNoReturns(const std::vector<Block>& blocks, const PointLaserOptions& laser) {
   scan::NoReturns joined;
-  joined.range = laser.distance_max - laser.distance_min;
-  joined.nearest = laser.distance_min;
+  const MeasuringRange range = measuringRange(laser);
+  joined.range = range.farthest - range.nearest;
+  joined.nearest = range.nearest;
   for (const auto& block : blocks) {
     joined.beams.insert(joined.beams.end(), block.no_returns.begin(), block.no_returns.end());
   }
@@ -184,6 +186,7 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
   validateLaser(laser);
   validate(options, "placement");
   checkLog(log);
+  checkRestingSensor(log, laser);
   progress.update("placing samples", 0.0);
   const JointReadings readings(log, robot, encoders, options.max_joint_gap);
   const Placement placement{log,

@@ -3,23 +3,46 @@
 #include "scan_to_path/sensing/point_laser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 
 namespace scan_to_path::sensing {
 
-std::optional<double> distanceFromVoltage(const PointLaserOptions& laser, double voltage) {
-  const auto [low, high] = std::minmax(laser.voltage_min, laser.voltage_max);
-  if (!(voltage >= low && voltage <= high)) return std::nullopt;  // NaN too
+namespace {
+
+/// The voltages between which the sensor measures, the one of the near end first.
+std::pair<double, double> measuringVoltages(const PointLaserOptions& laser) {
+  const double inwards = std::copysign(laser.voltage_margin, laser.voltage_max - laser.voltage_min);
+  return {laser.voltage_min + inwards, laser.voltage_max - inwards};
+}
+
+double distanceOnLine(const PointLaserOptions& laser, double voltage) {
   const double share = (voltage - laser.voltage_min) / (laser.voltage_max - laser.voltage_min);
   return laser.distance_min + share * (laser.distance_max - laser.distance_min);
 }
 
+}  // namespace
+
+MeasuringRange measuringRange(const PointLaserOptions& laser) {
+  const auto [near, far] = measuringVoltages(laser);
+  return {distanceOnLine(laser, near), distanceOnLine(laser, far)};
+}
+
+std::optional<double> distanceFromVoltage(const PointLaserOptions& laser, double voltage) {
+  const auto [near, far] = measuringVoltages(laser);
+  const auto [low, high] = std::minmax(near, far);
+  if (!(voltage >= low && voltage <= high)) return std::nullopt;  // NaN too
+  return distanceOnLine(laser, voltage);
+}
+
 bool isTooNear(const PointLaserOptions& laser, double voltage) {
+  const double near = measuringVoltages(laser).first;
   const bool is_rising = laser.voltage_max > laser.voltage_min;
-  return is_rising ? voltage < laser.voltage_min : voltage > laser.voltage_min;
+  return is_rising ? voltage < near : voltage > near;
 }
 
 double voltageFromDistance(const PointLaserOptions& laser, double distance) {
@@ -35,6 +58,11 @@ void validateLaser(const PointLaserOptions& laser) {
   }
   if (laser.voltage_max == laser.voltage_min) {
     throw InputError("laser", "voltage_max", fixed(laser.voltage_max, 6) + " V", "different from voltage_min");
+  }
+  const double half = 0.5 * std::abs(laser.voltage_max - laser.voltage_min);
+  if (!(laser.voltage_margin < half)) {
+    throw InputError("laser", "voltage_margin", fixed(laser.voltage_margin, 6) + " V",
+                     "below half of the output's range, " + fixed(half, 6) + " V");
   }
 }
 

@@ -169,6 +169,27 @@ TEST_F(SamplePlacerTest, DropsRangesThatAreNone) {
   expectAllCounted();
 }
 
+// A driver need not know what a sensor says when it measures nothing: it rests at the end of its range.
+TEST_F(SamplePlacerTest, TakesWhatLiesOutsideTheMeasuringRangeForNone) {
+  SamplePlacerOptions options;
+  options.range_min = 0.05;
+  options.range_max = 0.15;
+  placer_.restart(options);
+  addMount();
+  addReadings(0, 10);
+  placer_.addSamples(MovingSensor::samples(0.02, {0.0, 0.001, 0.002, 0.003, 0.004}, {0.049, 0.05, nan, 0.15, 0.151}));
+  EXPECT_EQ(droppedFor("no return"), 2U);
+  EXPECT_EQ(droppedFor("sensor fault"), 1U);
+  ASSERT_EQ(placed(), 2U);
+  expectPoint(0, 0.021, 0.05);
+  expectPoint(1, 0.023, 0.15);
+  expectAllCounted();
+  const auto stage = placer_.take();
+  ASSERT_EQ(stage.no_returns.beams.size(), 2U);
+  EXPECT_TRUE(stage.no_returns.beams[0].is_too_near);
+  EXPECT_FALSE(stage.no_returns.beams[1].is_too_near);
+}
+
 TEST_F(SamplePlacerTest, RefusesMessagesThatNoSensorSends) {
   addMount();
   addReadings(0, 10);

@@ -38,8 +38,8 @@ struct EmulationOptions {
 /// How much of the raster the sensor could see: what an operator would see on its display.
 struct RangeEvidence {
   std::size_t samples = 0;
-  std::size_t too_near = 0;  ///< nearer than the range
-  std::size_t too_far = 0;   ///< farther than the range
+  std::size_t too_near = 0;  ///< nearer than the measuring range
+  std::size_t too_far = 0;   ///< farther than the measuring range
   std::size_t nothing = 0;   ///< no surface at all on the beam
   double nearest = 0.0;      ///< least distance of a surface on the beam [m]
   double farthest = 0.0;     ///< largest [m]; both 0 when there is none

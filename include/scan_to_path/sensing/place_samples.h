@@ -54,7 +54,8 @@ struct PlacedScan {
 /// Pulses to joint angles (interpolated to the sensor's time), forward kinematics, p_B = T_BE T_EM (0, 0, d, 1)^T
 /// (seed 000 eqs. 1 and 2). Throws InputError when no sample at all can be placed (asking for another sweep where all
 /// are out of the sensor's range), a joint is outside its limits
-/// by more than a count, naming joint, value, sample and limit, or jumps (joint_jumps.h).
+/// by more than a count, naming joint, value, sample and limit, or jumps (joint_jumps.h), or the sensor rests
+/// (resting_sensor.h).
 PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, const robot::Encoders& encoders,
                         const PointLaserOptions& laser, const Frame& T_tip_sensor, const PlacementOptions& options,
                         int threads = 1, const Progress& progress = {});
