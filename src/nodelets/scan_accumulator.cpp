@@ -108,7 +108,7 @@ class ScanAccumulator : public nodelet::Nodelet {
     placing.max_joint_gap = options.scan.placement.max_joint_gap;
     placing.max_joint_jump = options.scan.placement.max_joint_jump;
     placing.limits = options.report;
-    placing.clock_offset = options.scan.placement.clock_offset;
+    placing.clock_offset = options.scan.placement.clock_offset.value_or(0.0);
     const auto range = scan_to_path::sensing::measuringRange(options.cell.laser);
     placing.range_min = range.nearest;
     placing.range_max = range.farthest;

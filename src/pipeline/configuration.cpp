@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t longest_key = 80;  // that a message shows
 constexpr std::size_t longest_yaml_message = 200;
+constexpr const char* unset = "unset";  // a number that is not given; ROS parameters have no null
 
 /// Where a text comes from: a file's, by lines, or what --set gives one key.
 struct Source {
@@ -54,6 +55,10 @@ public:
     *value = static_cast<int>(number);
   }
   void operator()(double* value) const { *value = toNumber(node_); }
+  void operator()(std::optional<double>* value) const {
+    const bool is_unset = node_.IsScalar() && node_.Scalar() == unset;
+    *value = is_unset ? std::nullopt : std::optional<double>(toNumber(node_, std::string(" or ") + unset));
+  }
   void operator()(std::string* value) const {
     if (node_.IsNull()) return value->clear();
     if (!node_.IsScalar()) reject("a text");
@@ -96,10 +101,11 @@ public:
   }
 
 private:
-  double toNumber(const YAML::Node& node) const {
+  double toNumber(const YAML::Node& node, const std::string& otherwise = "") const {
     double number = 0.0;
     if (!node.IsScalar() || !parseNumber(node.Scalar(), number)) {
-      reject(std::string("a number") + (*field_.field.unit != 0 ? std::string(" [") + field_.field.unit + "]" : ""));
+      const std::string unit = *field_.field.unit != 0 ? std::string(" [") + field_.field.unit + "]" : "";
+      reject("a number" + unit + otherwise);
     }
     return number;
   }
@@ -213,6 +219,7 @@ struct FormatValue {
   std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
   std::string operator()(const int* value) const { return std::to_string(*value); }
   std::string operator()(const double* value) const { return formatNumber(*value); }
+  std::string operator()(const std::optional<double>* value) const { return *value ? formatNumber(**value) : unset; }
   std::string operator()(const std::string* value) const { return formatText(*value); }
   std::string operator()(const Eigen::Vector3d* value) const {
     return "[" + formatNumber(value->x()) + ", " + formatNumber(value->y()) + ", " + formatNumber(value->z()) + "]";

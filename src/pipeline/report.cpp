@@ -31,6 +31,7 @@ struct ToJson {
   Json operator()(const bool* value) const { return *value; }
   Json operator()(const int* value) const { return *value; }
   Json operator()(const double* value) const { return *value; }
+  Json operator()(const std::optional<double>* value) const { return *value ? Json(**value) : Json(); }
   Json operator()(const std::string* value) const { return *value; }
   Json operator()(const Eigen::Vector3d* value) const { return {value->x(), value->y(), value->z()}; }
   Json operator()(const std::vector<double>* value) const { return *value; }

@@ -11,6 +11,7 @@
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/pipeline/background_findings.h"
+#include "scan_to_path/pipeline/clock_findings.h"
 #include "scan_to_path/pipeline/joint_findings.h"
 #include "scan_to_path/pipeline/lowered_feeds.h"
 #include "scan_to_path/pipeline/short_moves.h"
@@ -59,44 +60,6 @@ Eigen::AlignedBox3d boundsOf(const scan::ScanCloud& cloud) {
   Eigen::AlignedBox3d bounds;
   for (const auto& point : cloud) bounds.extend(Vector3(point.x, point.y, point.z));
   return bounds;
-}
-
-/// Where the log does not tell the offset, only its user can: what is placed by an offset that nobody knows is wrong by
-/// the feed of the scan times it.
-void addUnknownClockOffset(const sensing::ClockOffsetEstimate& estimate, double stated, const ReportOptions& limits,
-                           ScanStage& stage) {
-  std::string note = "clock offset between sensor and encoders not observable: " + estimate.reason;
-  const bool is_needed = estimate.observability == sensing::Observability::none && stated == 0.0;
-  if (is_needed && limits.max_clock_offset > 0.0) {
-    stage.accuracy.push_back({"clock_offset_unknown", 1.0, "", 0.0});
-    note +=
-        "; scan rows to and fro, state a calibrated one in scan.placement.clock_offset, or take it as it is with "
-        "--set report.max_clock_offset=0";
-  }
-  stage.notes.push_back(std::move(note));
-}
-
-/// `stated` is the user's offset, `used` the one that samples are placed with [s].
-void addClockOffset(const sensing::ClockOffsetEstimate& estimate, double stated, double used,
-                    const ReportOptions& limits, ScanStage& stage) {
-  const bool is_uncertain = estimate.observability == sensing::Observability::uncertain;
-  if (estimate.observability != sensing::Observability::observable && !is_uncertain) {
-    addUnknownClockOffset(estimate, stated, limits, stage);
-    return;
-  }
-  const double left = estimate.offset - used, error = estimate.standard_error;
-  stage.accuracy.push_back({"clock_offset", estimate.offset, "s"});
-  stage.accuracy.push_back({"clock_offset_standard_error", error, "s", limitUnlessZero(limits.max_clock_offset)});
-  // An uncertain estimate says that there is an offset where two standard errors do not explain it.
-  const double surely_left = std::max(std::abs(left) - (is_uncertain ? 2.0 * error : 0.0), 0.0);
-  const Accuracy figure = {"clock_offset_left", surely_left, "s", limitUnlessZero(limits.max_clock_offset)};
-  stage.accuracy.push_back(figure);
-  if (is_uncertain) stage.notes.push_back("clock offset between sensor and encoders uncertain: " + estimate.reason);
-  if (!figure.pass()) {
-    stage.notes.push_back("the sensor's clock is off the encoders' by " + fixed(1e3 * left, 3) + " ms; " +
-                          (is_uncertain ? "state a calibrated offset in scan.placement.clock_offset"
-                                        : "correct it with --set scan.correct_clock_offset=true"));
-  }
 }
 
 /// The beam decides on which side of the cloud the material is, and so from where the tool comes.
@@ -150,14 +113,21 @@ ScanStage scanFromSamples(const scan::SampleLog& log, const Cell& cell, const Sc
   }
   auto placed = sensing::placeSamples(log, cell.robot, cell.encoders, cell.laser, cell.T_tip_sensor, placement, threads,
                                       progress);
-  addClockOffset(estimate, options.placement.clock_offset, placement.clock_offset, limits, stage);
-  JointFindings joints = jointFindings(placed.unseen_jumps, placed.times_repeated, limits);
-  stage.accuracy.insert(stage.accuracy.end(), joints.accuracy.begin(), joints.accuracy.end());
-  std::move(joints.notes.begin(), joints.notes.end(), std::back_inserter(stage.notes));
   stage.cloud = std::make_shared<const scan::ScanCloud>(std::move(placed.cloud));
   stage.no_returns = std::move(placed.no_returns);
   stage.mean_beam = placed.mean_beam;
   stage.report = {"scan", placed.samples_in, stage.cloud->size(), placed.dropped};
+  std::optional<sensing::OffsetEffect> effect;
+  if (estimate.observability == sensing::Observability::few_slopes) {
+    const scan::SampleRows rows = scan::cleanRows(*stage.cloud, stage.mean_beam, options.cloud, threads, progress);
+    effect = sensing::offsetEffect(rows, *stage.cloud, options.clock_offset.largest_offset);
+  }
+  ClockFindings clocks = clockFindings(estimate, effect, options, placement.clock_offset.value_or(0.0), limits);
+  stage.accuracy = std::move(clocks.accuracy);
+  stage.notes = std::move(clocks.notes);
+  JointFindings joints = jointFindings(placed.unseen_jumps, placed.times_repeated, limits);
+  stage.accuracy.insert(stage.accuracy.end(), joints.accuracy.begin(), joints.accuracy.end());
+  std::move(joints.notes.begin(), joints.notes.end(), std::back_inserter(stage.notes));
   return stage;
 }
 

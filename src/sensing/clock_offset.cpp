@@ -125,8 +125,9 @@ void iterate(const ClockOffsetOptions& options, const Progress& progress, ClockO
     const std::vector<RowComparison> comparisons = compare(estimate.offset);
     estimate.cells = static_cast<int>(comparisons.size());
     if (comparisons.size() < fewest_comparisons) {
-      return giveUp(Observability::flat, "the part has no slopes along the rows, " +
-                                             std::to_string(comparisons.size()) + " places with some");
+      return giveUp(Observability::few_slopes, "too few slopes along the rows to compare, " +
+                                                   std::to_string(comparisons.size()) + " places, needs " +
+                                                   std::to_string(fewest_comparisons));
     }
     const Solution solution = solveOffset(comparisons);
     estimate.offset += solution.dt;
@@ -152,19 +153,25 @@ ClockOffsetEstimate estimateClockOffset(const scan::SampleLog& log, const robot:
   progress.update("estimating the clock offset", 0.0);
   const JointReadings readings(log, robot, encoders, placement.max_joint_gap);
   const SensorMotion motion(readings, robot, T_tip_sensor);
-  const RowMotion rows = findRowMotion(log, motion, placement.clock_offset);
-  const auto groups = chooseGroups(rows.rows, options.max_rows);
+  const double start = placement.clock_offset.value_or(0.0);
+  const RowMotion rows = findRowMotion(log, motion, start);
 
   ClockOffsetEstimate estimate;
-  estimate.offset = placement.clock_offset;
-  estimate.rows = rowsOf(groups);
-  if (groups.size() < fewest_groups) {
-    estimate.reason = whyTooFewGroups(rows.rows);
-    return estimate;
+  // Where the slopes are few they may lie in rows that were not looked at.
+  const int all_rows = static_cast<int>(rows.rows.size());
+  for (const int most_rows : {options.max_rows, std::max(options.max_rows, all_rows)}) {
+    const auto groups = chooseGroups(rows.rows, most_rows);
+    estimate.offset = start;
+    estimate.rows = rowsOf(groups);
+    if (groups.size() < fewest_groups) {
+      estimate.reason = whyTooFewGroups(rows.rows);
+      return estimate;
+    }
+    iterate(options, progress, estimate, [&](double offset) {
+      return compareRows(log, laser, motion, rows, groups, {options.cell, options.min_slope}, offset);
+    });
+    if (estimate.observability != Observability::few_slopes || all_rows <= most_rows) break;
   }
-  iterate(options, progress, estimate, [&](double offset) {
-    return compareRows(log, laser, motion, rows, groups, {options.cell, options.min_slope}, offset);
-  });
   progress.update("estimating the clock offset", 1.0);
   return estimate;
 }

@@ -193,7 +193,7 @@ PlacedScan placeSamples(const scan::SampleLog& log, const robot::Robot& robot, c
                             robot,
                             laser,
                             readings,
-                            options.clock_offset,
+                            options.clock_offset.value_or(0.0),
                             T_tip_sensor.translation(),
                             T_tip_sensor.linear().col(2),
                             angleOfOneCount(robot, encoders)};

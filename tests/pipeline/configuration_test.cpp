@@ -35,6 +35,7 @@ struct Outer {
   std::vector<double> gains = {1.0, 0.1};
   std::vector<std::string> words = {"a", "b c"};
   std::vector<Eigen::Vector2d> corners;
+  std::optional<double> known;
   Inner inner;
 
   template <class Self, class Visitor>
@@ -46,6 +47,7 @@ struct Outer {
     visit(self.gains, Field{"gains", "1/s"});
     visit(self.words, Field{"words"});
     visit(self.corners, Field{"corners", "m", "of something", -5.0, 5.0});
+    visit(self.known, Field{"known", "s", "if it is", -1.0, 1.0});
     visit(self.inner, Field{"inner"});
   }
 };
@@ -80,7 +82,7 @@ TEST(Configuration, ListsLeavesInDeclaredOrder) {
   Outer outer;
   std::vector<std::string> paths;
   for (const auto& field : fieldReferences(outer)) paths.push_back(field.path);
-  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "corners",
+  EXPECT_THAT(paths, ::testing::ElementsAre("count", "on", "name", "colour", "gains", "words", "corners", "known",
                                             "inner.length", "inner.axis"));
 }
 
@@ -88,7 +90,7 @@ TEST(Configuration, AppliesEveryType) {
   Outer outer;
   applyYaml(fieldReferences(outer),
             "count: 7\non: true\nname: 'x: y'\ncolour: dark_green\ngains: [3, 4e-3]\nwords: [p]\ncorners: [[1, 2], "
-            "[-3, 0.25]]\n"
+            "[-3, 0.25]]\nknown: 0\n"
             "inner:\n  length: 1.5\n  axis: [1, 0, 0.5]\n",
             "t");
   EXPECT_EQ(outer.count, 7);
@@ -98,6 +100,7 @@ TEST(Configuration, AppliesEveryType) {
   EXPECT_EQ(outer.gains, (std::vector<double>{3.0, 4e-3}));
   EXPECT_EQ(outer.words, std::vector<std::string>{"p"});
   EXPECT_EQ(outer.corners, (std::vector<Eigen::Vector2d>{{1.0, 2.0}, {-3.0, 0.25}}));
+  EXPECT_EQ(outer.known, 0.0);
   EXPECT_EQ(outer.inner.length, 1.5);
   EXPECT_EQ(outer.inner.axis, Eigen::Vector3d(1.0, 0.0, 0.5));
 }
@@ -118,6 +121,21 @@ TEST(Configuration, TellsWhatWasSetBeItTheDefault) {
   EXPECT_EQ(applyAssignment(fields, " inner.axis =[0, 0, 1]"), "inner.axis");
 }
 
+// A number that nobody gave is another thing than 0.
+TEST(Configuration, NumbersMayBeUnset) {
+  Outer outer;
+  const auto fields = fieldReferences(outer);
+  EXPECT_THAT(formatYaml(fields), HasSubstr("known: unset  # [s] if it is\n"));
+  applyAssignment(fields, "known=0");
+  EXPECT_EQ(outer.known, 0.0);
+  EXPECT_THAT(formatYaml(fields), HasSubstr("known: 0  # [s] if it is\n"));
+  applyAssignment(fields, "known=unset");
+  EXPECT_FALSE(outer.known.has_value());
+  EXPECT_NO_THROW(validate(outer, ""));
+  outer.known = 2.0;
+  EXPECT_EQ(errorOf([&] { validate(outer, ""); }), "known is 2 s, must be in [-1, 1]");
+}
+
 TEST(Configuration, NamesTheNearestKey) {
   EXPECT_THAT(yamlError("inner:\n  lenght: 1\n"), HasSubstr("cell.yaml line 2: unknown key inner.lenght"));
   EXPECT_THAT(yamlError("inner:\n  lenght: 1\n"), HasSubstr("did you mean inner.length?"));
@@ -134,6 +152,8 @@ TEST(Configuration, RejectsWrongTypes) {
   EXPECT_EQ(yamlError("\ninner: {length: wide}"), "cell.yaml line 2: inner.length is 'wide', must be a number [m]");
   EXPECT_EQ(yamlError("inner: {axis: [1, 2]}"),
             "cell.yaml line 1: inner.axis is a list of 2, must be a list of 3 numbers");
+  EXPECT_EQ(yamlError("known: no"), "cell.yaml line 1: known is 'no', must be a number [s] or unset");
+  EXPECT_EQ(yamlError("known:"), "cell.yaml line 1: known is empty, must be a number [s] or unset");
   EXPECT_EQ(yamlError("colour: blue"), "cell.yaml line 1: colour is 'blue', must be one of red, dark_green");
   EXPECT_EQ(yamlError("inner: 3"), "cell.yaml line 1: inner is '3', must be a section");
   EXPECT_EQ(yamlError("count: 1\ncount: 2"), "cell.yaml line 2: key count stands twice");

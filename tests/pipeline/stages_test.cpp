@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "scan_to_path/geometry/scene.h"
+#include "scan_to_path/geometry/worlds.h"
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/program/rapid_reader.h"
 
@@ -75,7 +77,7 @@ TEST(Stages, AClockOffsetThatTheScanDoesNotTellIsTheUsersToState) {
   EXPECT_THAT(unknown.notes, ::testing::ElementsAre(HasSubstr("all rows run in one direction; scan rows to and fro, "),
                                                     HasSubstr("the robot moves unseen in ")));
   ScanSection stated;
-  stated.placement.clock_offset = 1e-6;
+  stated.placement.clock_offset = 0.0;
   EXPECT_FALSE(fails(scanFromSamples(one_way, cell, stated, {}, 1, {}).accuracy, "clock_offset_unknown"));
   ReportOptions any;
   any.max_clock_offset = 0.0;
@@ -84,7 +86,32 @@ TEST(Stages, AClockOffsetThatTheScanDoesNotTellIsTheUsersToState) {
   const geometry::FlatPart flat(geometry::Rectangle{-0.03, 0.03, -0.03, 0.03});
   const ScanStage plate = scanFromSamples(smallScan(flat), cell, {}, {}, 1, {});
   EXPECT_FALSE(fails(plate.accuracy, "clock_offset_unknown"));
-  EXPECT_THAT(plate.notes, ::testing::ElementsAre(HasSubstr("no slopes along the rows")));
+  EXPECT_THAT(plate.notes, ::testing::ElementsAre(HasSubstr("the part is flat along them")));
+}
+
+/// A plate at z = 0, from x = 0 on `step` higher.
+geometry::Scene steppedPlate(double step) {
+  const auto low = std::make_shared<geometry::FlatPart>(geometry::Rectangle{-0.03, 0.0, -0.03, 0.03});
+  const auto high = std::make_shared<geometry::FlatPart>(geometry::Rectangle{0.0, 0.03, -0.03, 0.03});
+  const Frame T_plate_high = geometry::makeFrame({0.0, 0.0, step}, Vector3::Zero());
+  return geometry::Scene(std::vector<std::shared_ptr<const geometry::Surface>>{
+      low, std::make_shared<geometry::PosedSurface>(high, T_plate_high)});
+}
+
+// Rows cannot be compared at a step, and 5 ms at 50 mm/s put it 0.25 mm to and 0.25 mm fro.
+TEST(Stages, APlateWithAStepIsNotFlat) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  auto log = smallScan(steppedPlate(2e-4));
+  for (double& time : log.sensor_time) time -= 5e-3;
+  const ScanStage stepped = scanFromSamples(log, cell, {}, {}, 1, {});
+  EXPECT_TRUE(fails(stepped.accuracy, "clock_offset_unknown"));
+  EXPECT_THAT(stepped.notes, ::testing::ElementsAre(HasSubstr("an offset of 10.0 ms moves the surface by up to 20")));
+  ScanSection stated;
+  stated.placement.clock_offset = 5e-3;
+  EXPECT_FALSE(fails(scanFromSamples(log, cell, stated, {}, 1, {}).accuracy, "clock_offset_unknown"));
+  // Twin: a step that is none.
+  EXPECT_FALSE(
+      fails(scanFromSamples(smallScan(steppedPlate(1e-6)), cell, {}, {}, 1, {}).accuracy, "clock_offset_unknown"));
 }
 
 TEST(Stages, AnUncertainClockOffsetFailsOnlyWhereItIsSurelyThere) {

@@ -27,6 +27,9 @@ XmlRpcValue treeOf(const pipeline::JobOptions& options) {
     if (const auto* flag = std::get_if<bool*>(&field.value)) *leaf = **flag;
     if (const auto* integer = std::get_if<int*>(&field.value)) *leaf = **integer;
     if (const auto* number = std::get_if<double*>(&field.value)) *leaf = **number;
+    if (const auto* number = std::get_if<std::optional<double>*>(&field.value)) {
+      *leaf = **number ? XmlRpcValue(***number) : XmlRpcValue("unset");
+    }
     if (const auto* text = std::get_if<std::string*>(&field.value)) *leaf = **text;
     if (const auto* name = std::get_if<pipeline::EnumReference>(&field.value)) *leaf = name->names[name->get()];
     if (const auto* vector = std::get_if<Eigen::Vector3d*>(&field.value)) {
@@ -65,6 +68,9 @@ TEST(Parameters, EveryOptionComesThroughAsItIs) {
   EXPECT_EQ(yamlOf(received), yamlOf(sent));
   EXPECT_EQ(received.cell.sensor.xyz, sent.cell.sensor.xyz);
   EXPECT_EQ(received.program.process_signal, sent.program.process_signal);
+  sent.scan.placement.clock_offset = 1.0 / 3e3;
+  applyParameter(received, treeOf(sent), "/cell/configuration");
+  EXPECT_EQ(received.scan.placement.clock_offset, sent.scan.placement.clock_offset);
 }
 
 TEST(Parameters, TakesIntegersForNumbers) {
@@ -73,6 +79,19 @@ TEST(Parameters, TakesIntegersForNumbers) {
   pipeline::JobOptions options;
   applyParameter(options, tree, "configuration");
   EXPECT_EQ(options.scan.placement.clock_offset, 1.0);
+}
+
+// A clock offset of 0 is one that is known.
+TEST(Parameters, ZeroIsNotUnset) {
+  XmlRpcValue tree;
+  pipeline::JobOptions options;
+  EXPECT_FALSE(options.scan.placement.clock_offset.has_value());
+  tree["scan"]["placement"]["clock_offset"] = 0.0;
+  applyParameter(options, tree, "configuration");
+  EXPECT_EQ(options.scan.placement.clock_offset, 0.0);
+  tree["scan"]["placement"]["clock_offset"] = "unset";
+  applyParameter(options, tree, "job");
+  EXPECT_FALSE(options.scan.placement.clock_offset.has_value());
 }
 
 TEST(Parameters, TakesATextInYaml) {

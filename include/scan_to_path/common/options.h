@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -27,9 +28,9 @@ namespace scan_to_path {
 ///       }
 ///     };
 ///
-/// and every reader, writer, check and table walks that list. A field's type is bool, int, double, std::string,
-/// an enum with EnumNames, Eigen::Vector3d, a std::vector of double, std::string or Eigen::Vector2d, or another option
-/// struct.
+/// and every reader, writer, check and table walks that list. A field's type is bool, int, double,
+/// std::optional<double> (unset where no number stands for "not known"), std::string, an enum with EnumNames,
+/// Eigen::Vector3d, a std::vector of double, std::string or Eigen::Vector2d, or another option struct.
 struct Field {
   const char* name;
   const char* unit = "";
@@ -107,6 +108,8 @@ void validate(const Options& options, const std::string& path) {
           detail::checkNumber(value[i][k], field, name + "[" + std::to_string(i) + "][" + std::to_string(k) + "]");
         }
       }
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      if (value) detail::checkNumber(*value, field, name);
     } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
       detail::checkNumber(static_cast<double>(value), field, name);
     }

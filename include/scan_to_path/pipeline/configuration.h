@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <variant>
@@ -25,8 +26,8 @@ struct EnumReference {
 struct FieldReference {
   std::string path;
   Field field;
-  std::variant<bool*, int*, double*, std::string*, Eigen::Vector3d*, std::vector<double>*, std::vector<std::string>*,
-               std::vector<Eigen::Vector2d>*, EnumReference>
+  std::variant<bool*, int*, double*, std::optional<double>*, std::string*, Eigen::Vector3d*, std::vector<double>*,
+               std::vector<std::string>*, std::vector<Eigen::Vector2d>*, EnumReference>
       value;
 };
 

@@ -16,6 +16,8 @@ struct ClockOffsetOptions {
   double min_slope = 0.01;
   int max_rows = 60;
   double max_standard_error = 2e-5;
+  double largest_offset = 0.01;
+  double max_effect = 2e-5;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -24,15 +26,20 @@ struct ClockOffsetOptions {
     visit(self.max_rows, Field{"max_rows", "", "rows looked at, spread over the scan", 8, 100000});
     visit(self.max_standard_error,
           Field{"max_standard_error", "s", "above it the offset counts as not observable", 1e-9, 1.0});
+    visit(self.largest_offset,
+          Field{"largest_offset", "s", "that may be where the scan does not tell and none is stated", 1e-6, 1.0});
+    visit(self.max_effect,
+          Field{"max_effect", "m", "a part that largest_offset moves by less in height is flat: none is needed", 0.0,
+                1.0});
   }
 };
 
 /// What a scan tells of the offset.
 enum class Observability {
   observable,
-  uncertain,  ///< there is an estimate, its standard error above the largest that was asked for
-  flat,       ///< no slopes along the rows: an offset shows at the part's edges alone
-  none,       ///< rows in one direction, too few of them, or rows that do not come to agree
+  uncertain,   ///< there is an estimate, its standard error above the largest that was asked for
+  few_slopes,  ///< too few places to compare rows at: offsetEffect tells whether an offset would matter there
+  none,        ///< rows in one direction, too few of them, or rows that do not come to agree
 };
 
 /// The offset and how well it is known.
@@ -51,7 +58,7 @@ struct ClockOffsetEstimate {
 /// the third divided difference of the height is free of the part's shape to second order, and changes with dt by
 /// the sum of the rows' v times slope: that is solved for dt by robust least squares (Tukey's biweight), and repeated
 /// with samples placed anew until dt is below 1 us. Nothing but the log goes in. `placement.clock_offset` is where the
-/// search starts. Rows in one direction only, no slopes, or too few rows are told as data, not as errors.
+/// search starts. Rows in one direction only, too few slopes, or too few rows are told as data, not as errors.
 /// Throws what placeSamples throws for a log that does not fit the robot. About 30 ms, and 10 ms more for
 /// every million samples.
 ClockOffsetEstimate estimateClockOffset(const scan::SampleLog& log, const robot::Robot& robot,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,16 @@ using geometry::Vector3;
 
 /// How samples are placed in the robot's base frame.
 struct PlacementOptions {
-  double clock_offset = 0.0;
+  std::optional<double> clock_offset;
   double max_joint_gap = 0.05;
   double max_joint_jump = 5e-5;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.clock_offset,
-          Field{"clock_offset", "s", "added to the sensor's time to get the encoders' time", -1.0, 1.0});
+    visit(
+        self.clock_offset,
+        Field{"clock_offset", "s",
+              "calibrated, added to the sensor's time to get the encoders'; unset: not known, taken as 0", -1.0, 1.0});
     visit(self.max_joint_gap,
           Field{"max_joint_gap", "s", "a sample between joint readings farther apart is dropped", 0.0, 10.0});
     visit(self.max_joint_jump,
