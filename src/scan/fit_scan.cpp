@@ -60,7 +60,9 @@ FittedScan fitRows(const SampleRows& rows, const FitOptions& options, int thread
   scan.between_rows_largest = between.largest;
   progress.update("outline", 0.6);
   scan.outline = traceOutline(rows);
-  scan.obstacles = highestPoints(rows.obstacles, obstacle_spacing);
+  Obstacles obstacles = rows.obstacles;
+  obstacles.insert(obstacles.end(), fitted.too_short.begin(), fitted.too_short.end());
+  scan.obstacles = highestPoints(obstacles, obstacle_spacing);
   if (options.with_surface) {
     progress.update("surface", 0.7);
     nurbs::SurfaceFit surface = fitSurface(rows, options.surface, progress);

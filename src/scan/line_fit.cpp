@@ -58,11 +58,11 @@ void prepare(Segment& segment, Parameterization parameterization) {
   segment.moments.emplace(segment.view());
 }
 
-/// Adds a segment long enough to fit; another one's samples are counted.
+/// Adds a segment long enough to fit; another one's samples stand in the way of whoever follows the others.
 void addSegment(const RowPiece& piece, std::size_t begin, std::size_t end, std::vector<Segment>& segments,
-                std::size_t& too_short, bool goes_on = false) {
+                Obstacles& too_short, bool goes_on = false) {
   if (end < begin + least_samples || !(piece.x[end - 1] > piece.x[begin])) {
-    too_short += end - begin;
+    addObstacles(piece, begin, end, too_short);
     return;
   }
   segments.emplace_back();
@@ -73,7 +73,7 @@ void addSegment(const RowPiece& piece, std::size_t begin, std::size_t end, std::
 }
 
 std::vector<Segment> splitAtCorners(const SampleRows& rows, const LineFitOptions& options, int threads,
-                                    std::size_t& too_short) {
+                                    Obstacles& too_short) {
   std::vector<std::vector<Corner>> corners(rows.pieces.size());
   parallelFor(corners.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) corners[i] = findCorners(rows.pieces[i], options);
@@ -95,7 +95,7 @@ double distance(const RowPiece& piece, std::size_t a, std::size_t b) {
 }
 
 /// Splits at every gap that a fine knot span might not bridge: with the gap inside, spans could not get shorter.
-std::vector<Segment> splitAtWideGaps(const std::vector<Segment>& segments, double wide, std::size_t& too_short) {
+std::vector<Segment> splitAtWideGaps(const std::vector<Segment>& segments, double wide, Obstacles& too_short) {
   std::vector<Segment> result;
   for (const Segment& segment : segments) {
     std::size_t begin = segment.begin;
@@ -157,13 +157,13 @@ bool joinAcrossGaps(std::vector<Segment>& segments, const std::vector<int>& coun
 
 /// Splits the segments with a gap longer than a knot span, and drops those that allow no fit at all.
 /// Returns whether there were any.
-bool splitAtGaps(std::vector<Segment>& segments, const std::vector<int>& counts, std::size_t& too_short) {
+bool splitAtGaps(std::vector<Segment>& segments, const std::vector<int>& counts, Obstacles& too_short) {
   bool changed = false;
   std::vector<Segment> result;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     Segment& segment = segments[k];
     if (counts[k] == 0) {
-      too_short += segment.size();
+      addObstacles(*segment.piece, segment.begin, segment.end, too_short);
       changed = true;
       continue;
     }
@@ -221,7 +221,8 @@ FittedLine fitSegment(const Segment& segment, int control_points, const Frame& T
 
 FittedLines fitLines(const SampleRows& rows, const LineFitOptions& options, int threads) {
   validate(options, "fit");
-  std::size_t too_short = 0;
+  FittedLines fitted;
+  Obstacles& too_short = fitted.too_short;
   constexpr double wide_gap = 5.0;  // spacings
   std::vector<Segment> segments =
       splitAtWideGaps(splitAtCorners(rows, options, threads, too_short), wide_gap * rows.spacing, too_short);
@@ -234,12 +235,11 @@ FittedLines fitLines(const SampleRows& rows, const LineFitOptions& options, int 
     throw InputError("scan rows", "number of samples on the longest smooth stretch", "too small",
                      "at least " + std::to_string(least_samples));
   }
-  FittedLines fitted;
   fitted.lines.resize(segments.size());
   parallelFor(segments.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) fitted.lines[i] = fitSegment(segments[i], counts[i], rows.T_cloud_scan);
   });
-  addDropped(fitted.dropped, "too short to fit", too_short);
+  addDropped(fitted.dropped, "too short to fit", too_short.size());
   return fitted;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_to_path/scan/fit_scan.h"
 #include "support/expect_input_error.h"
 #include "support/profile_rows.h"
 
@@ -134,6 +135,23 @@ TEST(LineFit, SamplesBeyondACornerTooFewToFitAreCounted) {
   ASSERT_EQ(fitted.dropped.size(), 1u);
   EXPECT_EQ(fitted.dropped[0].reason, "too short to fit");
   EXPECT_NEAR(static_cast<double>(fitted.dropped[0].count), 5.0 * 5.0, 5.0);
+  EXPECT_EQ(fitted.too_short.size(), fitted.dropped[0].count);
+}
+
+// Neither in a line nor a piece of its own, it is there all the same: here, what rises at the ends of the rows.
+TEST(LineFit, SamplesTooFewToFitStandInTheWay) {
+  const auto risingEnd = [](double x) { return -chamferedEnd(0.25e-3)(x); };
+  FitOptions options;
+  options.with_surface = false;
+  const Obstacles obstacles = fitRows(rowsOf(risingEnd, 2e-6), options).obstacles;
+  ASSERT_GE(obstacles.size(), 5U);
+  float highest = 0.0F;
+  for (const auto& p : obstacles) {
+    EXPECT_GT(p.x(), 0.0996F);
+    highest = std::max(highest, p.z());
+  }
+  EXPECT_NEAR(highest, 0.25e-3, 50e-6 + 6e-6);  // a spacing, and three sigma
+  EXPECT_TRUE(fitRows(rowsOf([](double) { return 0.0; }, 2e-6), options).obstacles.empty());  // twin
 }
 
 TEST(LineFit, AGapLongerThanAKnotSpanSplits) {

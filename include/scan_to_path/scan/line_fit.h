@@ -34,6 +34,7 @@ struct LineFitOptions {
 struct FittedLines {
   std::vector<FittedLine> lines;  ///< in the cloud's frame, sorted by row, then along x
   std::vector<Dropped> dropped;   ///< "too short to fit"
+  Obstacles too_short;            ///< their samples, in the scan frame
 };
 
 /// Least-squares cubic B-spline of every piece (eqs. 3-7; spec cutting, step 7) through all its samples, split at
