@@ -41,7 +41,8 @@ void checkPairOrder(const Track& track, const Run& a, const Run& b, double margi
     if (yAt(track, b, x) > yAt(track, a, x)) continue;
     throw InputError("scan cloud: rows " + std::to_string(a.row) + " and " + std::to_string(b.row) +
                      " cross (or one was scanned twice) " + fixed((x - low) * 1e3, 1) +
-                     " mm along them; rows must lie side by side");
+                     " mm along them; rows must lie side by side, seen along the beam: where they do, the viewing "
+                     "direction is wrong (a cloud's viewpoint or scan.beam, a sample log's cell.sensor)");
   }
 }
 

@@ -63,6 +63,7 @@ TEST(CheckOrder, RowsThatCrossAreRefused) {
   EXPECT_NO_THROW(order(1.0, 0.2));
   test::expectInputError([&] { order(1.0, -0.3); }, "scan cloud: rows 0 and 1 cross");
   test::expectInputError([&] { order(-0.3, 1.0); }, "scan cloud: rows 0 and 1 cross");
+  test::expectInputError([&] { order(-0.3, 1.0); }, "the viewing direction is wrong (a cloud's viewpoint or scan.beam");
 }
 
 }  // namespace
