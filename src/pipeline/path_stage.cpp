@@ -71,6 +71,23 @@ void noteLeftStanding(const process::CuttingOptions& options, PathStage& stage) 
   }
 }
 
+/// A part is scanned where its work object is, or beside it on a fixture; elsewhere one of the two poses is another's.
+void noteFarWorkObject(const scan::FittedScan& scan, const JobOptions& options, PathStage& stage) {
+  constexpr double usual = 2.0;  // of the part's size
+  constexpr double least = 0.5;  // [m], of a fixture of a small part
+  Eigen::AlignedBox3d part;
+  for (const auto& line : scan.lines) {
+    for (const Vector3& p : line.curve.control_points) part.extend(p);
+  }
+  if (part.isEmpty()) return;
+  const double size = part.diagonal().norm();
+  const double distance = part.exteriorDistance(Vector3(options.cell.workpiece.xyz));
+  if (distance <= std::max(usual * size, least)) return;
+  stage.notes.push_back("the part, " + fixed(size, 3) + " m across, lies " + fixed(distance, 3) +
+                        " m from the work object's origin: where that is not its place, correct cell.workpiece, "
+                        "cell.sensor or the cloud's frame");
+}
+
 PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, const JobOptions& options) {
   PathStage stage;
   stage.planned = std::move(planned);
@@ -86,6 +103,7 @@ PathStage described(process::PlannedPath planned, const scan::FittedScan& scan, 
   noteSurface(stage);
   noteScallop(options.path, stage);
   noteLeftStanding(options.path, stage);
+  noteFarWorkObject(scan, options, stage);
   return stage;
 }
 

@@ -36,6 +36,20 @@ TEST(PathStage, NeedsTheSurface) {
   test::expectInputError([&] { makePlanner("cutting", options); }, "path.row_source=scan_lines too");
 }
 
+// Beside it lies a fixture, or another robot's part: the plate is 0.117 m across.
+TEST(PathStage, NotesAWorkObjectFarFromThePart) {
+  JobOptions options;
+  const auto scan = test::flatPlate();
+  const auto notes = [&](double x) {
+    options.cell.workpiece.xyz = {x, 0.03, 0.0};
+    return pathStage(*makePlanner("cutting", options), scan, "base_link", options, {}).notes;
+  };
+  EXPECT_THAT(notes(0.05), ::testing::IsEmpty());
+  EXPECT_THAT(notes(-0.49), ::testing::IsEmpty());
+  EXPECT_THAT(notes(-0.51), ::testing::ElementsAre(::testing::HasSubstr(
+                                "the part, 0.117 m across, lies 0.510 m from the work object's origin")));
+}
+
 // The region is the user's, over the work object frame: turned and moved there, it cuts the same of the part.
 TEST(PathStage, TakesTheRegionInTheWorkObjectFrame) {
   JobOptions options;
