@@ -35,8 +35,8 @@ Message sent(const Message& message) {
 /// The same bits, signs of zeros included.
 template <class A, class B>
 bool sameBits(const A& a, const B& b) {
-  return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+  const auto size = static_cast<std::size_t>(a.size());
+  return size == static_cast<std::size_t>(b.size()) && std::memcmp(a.data(), b.data(), sizeof(double) * size) == 0;
 }
 
 void expectSame(const std::vector<core::geometry::Vector3>& a, const std::vector<core::geometry::Vector3>& b) {
