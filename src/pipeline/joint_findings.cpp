@@ -7,7 +7,7 @@
 namespace scan_to_path::pipeline {
 namespace {
 
-constexpr double noted_jump = 1e-4;  // [m]; what a path may be off on a part that nobody modelled
+constexpr double noted_jump = 5e-4;  // [m]; a ramp of 1 m/s^2 hides half of it in any log
 
 }  // namespace
 
@@ -20,9 +20,13 @@ JointFindings jointFindings(const sensing::UnseenJumps& unseen, std::size_t time
                           " mm at the sensor, would look like motion at " + fixed(unseen.time, 3) +
                           " s: read the joints more often, or turn the robot more gently");
   }
+  found.accuracy.push_back(
+      {"unseen_pauses", static_cast<double>(unseen.pauses), "1", static_cast<double>(limits.max_unseen_pauses)});
   if (unseen.pauses > 0) {
     found.notes.push_back("the robot moves unseen in " + std::to_string(unseen.pauses) +
-                          " pauses of the readings: a slip or a new home position in one of them does not show");
+                          " pauses of the readings, where a slip or a new home position does not show: record without "
+                          "pauses, or allow them with --set report.max_unseen_pauses=" +
+                          std::to_string(unseen.pauses));
   }
   if (times_repeated > 1) {
     found.notes.push_back("the log gives each joint reading " + std::to_string(times_repeated) +

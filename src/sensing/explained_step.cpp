@@ -11,25 +11,6 @@ namespace {
 
 constexpr double readings_to_rest = 1.5;
 
-/// At the reading next to the interval, along rising time.
-struct EndMotion {
-  double mean_speed = 0.0;    // of the two nearest readings [rad/s]
-  double speed = 0.0;         // [rad/s]
-  double acceleration = 0.0;  // [rad/s^2]
-};
-
-EndMotion endMotion(const SideReadings& side) {
-  EndMotion motion;
-  if (side.count < 2) return motion;
-  motion.mean_speed = (side.angle[0] - side.angle[1]) / (side.time[0] - side.time[1]);
-  motion.speed = motion.mean_speed;
-  if (side.count < 3) return motion;
-  const double farther = (side.angle[1] - side.angle[2]) / (side.time[1] - side.time[2]);
-  motion.acceleration = 2.0 * (motion.mean_speed - farther) / (side.time[0] - side.time[2]);
-  motion.speed += 0.5 * motion.acceleration * (side.time[0] - side.time[1]);
-  return motion;
-}
-
 void widen(ExplainedStep& explained, double step) {
   explained.low = std::min(explained.low, step);
   explained.high = std::max(explained.high, step);
@@ -44,6 +25,18 @@ void widenBy(const EndMotion& motion, double duration, double sense, ExplainedSt
 }
 
 }  // namespace
+
+EndMotion endMotion(const SideReadings& side) {
+  EndMotion motion;
+  if (side.count < 2) return motion;
+  motion.mean_speed = (side.angle[0] - side.angle[1]) / (side.time[0] - side.time[1]);
+  motion.speed = motion.mean_speed;
+  if (side.count < 3) return motion;
+  const double farther = (side.angle[1] - side.angle[2]) / (side.time[1] - side.time[2]);
+  motion.acceleration = 2.0 * (motion.mean_speed - farther) / (side.time[0] - side.time[2]);
+  motion.speed += 0.5 * motion.acceleration * (side.time[0] - side.time[1]);
+  return motion;
+}
 
 ExplainedStep explainedStep(const SideReadings& before, const SideReadings& after) {
   const double duration = after.time[0] - before.time[0];
@@ -60,12 +53,12 @@ ExplainedStep explainedStep(const SideReadings& before, const SideReadings& afte
 }
 
 bool isRestingNextTo(const SideReadings& side, double resolution) {
-  if (side.count < 2) return true;
+  if (side.count < 2) return false;
   const EndMotion motion = endMotion(side);
   const double outward = side.time[0] - side.time[1];  // positive before the interval, negative after it
   if (std::abs(motion.speed * outward) <= resolution) return true;
   const double next = motion.speed + readings_to_rest * outward * motion.acceleration;
-  return motion.speed * next <= 0.0;
+  return motion.speed * next <= 0.0 || std::abs(next * outward) <= resolution;
 }
 
 }  // namespace scan_to_path::sensing

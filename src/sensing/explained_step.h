@@ -26,12 +26,23 @@ struct ExplainedStep {
   double high = 0.0;   ///< [rad]
   double speed = 0.0;  ///< the larger of the two at the interval's ends [rad/s]
 
+  double width() const { return high - low; }
+
   /// How far a step lies outside [rad].
   double excess(double step) const {
     if (step > high) return step - high;
     return step < low ? low - step : 0.0;
   }
 };
+
+/// Of a joint at the reading next to the interval, along rising time: from the parabola through the readings.
+struct EndMotion {
+  double mean_speed = 0.0;    ///< of the two nearest readings [rad/s]
+  double speed = 0.0;         ///< [rad/s]
+  double acceleration = 0.0;  ///< [rad/s^2]
+};
+
+EndMotion endMotion(const SideReadings& side);
 
 /// Nothing but the readings before and after an interval is asked: the parabola through three of them tells speed and
 /// acceleration at the interval's end. Explained is all between the steps of the mean speed of the nearest readings, of
@@ -41,7 +52,7 @@ struct ExplainedStep {
 ExplainedStep explainedStep(const SideReadings& before, const SideReadings& after);
 
 /// True when the joint comes to rest next to the interval, or leaves it: it would stand still one and a half readings
-/// on, or within `resolution` [rad] it does already. A reading alone shows no motion.
+/// on, or does already, within `resolution` [rad] from reading to reading. A reading alone shows no rest.
 bool isRestingNextTo(const SideReadings& side, double resolution);
 
 }  // namespace scan_to_path::sensing

@@ -9,7 +9,8 @@
 namespace scan_to_path::sensing {
 namespace {
 
-constexpr double counts_off = 4.0;  // both readings by one and a half, and rounding
+constexpr double counts_off = 4.0;             // both readings by one and a half, and rounding
+constexpr std::size_t fewest_readings = 1000;  // of a scan, not of a few places that a robot was at
 
 class JointAngles : public MotionReadings {
 public:
@@ -32,6 +33,17 @@ private:
       fixed(jump.low, 6) + " to " + fixed(jump.high, 6) + " rad (limit " + fixed(limit, 6) +
       " rad beyond, scan.placement.max_joint_jump): lost counts, a slipped coupling, a new home position " +
       (jump.gap > 0.0 ? "or motion that nobody saw" : "or a bad reading"));
+}
+
+/// Readings that are all farther apart than a gap show no motion to judge by.
+void checkInterval(const JointReadings& readings, double gap) {
+  if (readings.size() < fewest_readings) return;
+  std::size_t far = 0;
+  for (std::size_t i = 1; i < readings.size(); ++i) far += readings.timeOf(i) - readings.timeOf(i - 1) > gap ? 1 : 0;
+  if (2 * far < readings.size()) return;
+  throw InputError("joint readings: " + std::to_string(far) + " of " + std::to_string(readings.size() - 1) +
+                   " intervals are longer than " + fixed(gap, 3) +
+                   " s (scan.placement.max_joint_gap); times are in seconds: are these milliseconds?");
 }
 
 /// How far a turn of one joint moves the spot [m/rad].
@@ -63,6 +75,7 @@ UnseenJumps unseenJumps(const MotionJumps& jumps, const JointReadings& readings,
 
 UnseenJumps checkJointJumps(const JointReadings& readings, const robot::Robot& robot, const geometry::Vector3& spot_tip,
                             const JointJumpLimits& limits, int threads, const Progress& progress) {
+  checkInterval(readings, limits.gap);
   JumpLimits turns{limits.jump, limits.gap, limits.one_count};
   for (double& resolution : turns.resolution) resolution *= counts_off;
   const MotionJumps jumps = findMotionJumps(JointAngles(readings), turns, threads, progress);

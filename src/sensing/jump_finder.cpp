@@ -11,6 +11,8 @@ namespace scan_to_path::sensing {
 namespace {
 
 constexpr double longest_slip = 0.0105;      // [s]; 10 ms, and stamps on a grid
+constexpr double longest_leap = 0.135;       // [s], beside the path
+constexpr double steady = 0.2;               // of the speed, by which steady motion may change
 constexpr double stamp_error = 5e-4;         // [s]
 constexpr double even = 0.05;                // of the median interval, by which even stamps differ
 constexpr double closest = 0.5;              // of it: stamps closer than that make speeds of their errors
@@ -38,10 +40,14 @@ void note(double hidden, int coordinate, std::size_t i, MotionJumps& found) {
 JumpFinder::JumpFinder(const MotionReadings& readings, const JumpLimits& limits)
     : readings_(readings), limits_(limits), interval_(medianInterval(readings)) {
   for (std::size_t s = 1; s == 1 || static_cast<double>(s) * interval_ <= longest_slip; s *= 2) strides_.push_back(s);
+  for (std::size_t s = 2 * strides_.back(); static_cast<double>(s) * interval_ <= longest_leap; s *= 2) {
+    long_strides_.push_back(s);
+  }
 }
 
 MotionJumps JumpFinder::find(std::size_t begin, std::size_t end) const {
-  const MotionStretch stretch(readings_, begin, end, 3 * strides_.back(), limits_.gap);
+  const std::size_t longest = long_strides_.empty() ? strides_.back() : long_strides_.back();
+  const MotionStretch stretch(readings_, begin, end, 3 * longest, limits_.gap);
   MotionJumps found;
   found.hidden.resize(static_cast<std::size_t>(stretch.coordinates()));
   for (std::size_t i = std::max<std::size_t>(begin, 1); i < end && !found.first; ++i) {
@@ -54,12 +60,16 @@ MotionJumps JumpFinder::find(std::size_t begin, std::size_t end) const {
       if (i < stretch.runBegin(i) + stride) break;
       lookAtStep(stretch, i, stride, found);
     }
+    for (const std::size_t stride : long_strides_) {
+      if (i % (stride / steps_per_stride + 1) == 0) lookBesideThePath(stretch, i, stride, found);
+    }
   }
   const auto isNone = [](const HiddenJump& jump) { return jump.size == 0.0; };
   found.hidden.erase(std::remove_if(found.hidden.begin(), found.hidden.end(), isNone), found.hidden.end());
   return found;
 }
 
+/// By which a step may miss what is explained without being a jump.
 double JumpFinder::slack(int coordinate, const ExplainedStep& explained) const {
   return stamp_error * explained.speed + limits_.resolution[static_cast<std::size_t>(coordinate)];
 }
@@ -75,22 +85,22 @@ bool JumpFinder::goesOn(const MotionStretch& stretch, std::size_t i, std::size_t
   return std::abs(change) <= limits_.jump;
 }
 
-/// What the readings around the step from i - stride to i explain, by their stamps or as if they were taken evenly.
-ExplainedStep JumpFinder::explainedAround(const MotionStretch& stretch, std::size_t i, std::size_t stride,
-                                          int coordinate, Clock clock) const {
+/// The readings around the step from i - stride to i, by their stamps or as if they were taken evenly.
+JumpFinder::Sides JumpFinder::sidesOf(const MotionStretch& stretch, std::size_t i, std::size_t stride, int coordinate,
+                                      Clock clock) const {
   const auto time = [&](std::size_t k) {
     return clock == Clock::stamps ? stretch.time(k) : static_cast<double>(k) * interval_;
   };
   const double spacing = closest * static_cast<double>(stride) * interval_;
-  SideReadings before, after;
-  for (std::size_t k = i - stride; before.count < 3; k -= stride) {
-    before.addFarther(time(k), stretch.value(k, coordinate), spacing);
+  Sides sides;
+  for (std::size_t k = i - stride; sides.before.count < 3; k -= stride) {
+    sides.before.addFarther(time(k), stretch.value(k, coordinate), spacing);
     if (k < stretch.runBegin(i) + stride) break;
   }
-  for (std::size_t k = i; after.count < 3 && k < stretch.runEnd(i); k += stride) {
-    after.addFarther(time(k), stretch.value(k, coordinate), spacing);
+  for (std::size_t k = i; sides.after.count < 3 && k < stretch.runEnd(i); k += stride) {
+    sides.after.addFarther(time(k), stretch.value(k, coordinate), spacing);
   }
-  return explainedStep(before, after);
+  return sides;
 }
 
 bool JumpFinder::isEven(const MotionStretch& stretch, std::size_t i, std::size_t stride) const {
@@ -106,19 +116,74 @@ void JumpFinder::lookAtStep(const MotionStretch& stretch, std::size_t i, std::si
   for (int coordinate = 0; coordinate < stretch.coordinates(); ++coordinate) {
     if (goesOn(stretch, i, stride, coordinate)) continue;
     const double step = stretch.value(i, coordinate) - stretch.value(i - stride, coordinate);
-    ExplainedStep explained = explainedAround(stretch, i, stride, coordinate, Clock::stamps);
-    double hidden = explained.high - explained.low;
+    const Sides sides = sidesOf(stretch, i, stride, coordinate, Clock::stamps);
+    ExplainedStep explained = explainedStep(sides.before, sides.after);
+    double hidden = explained.width();
     if (!isEven(stretch, i, stride)) {
-      const ExplainedStep evenly = explainedAround(stretch, i, stride, coordinate, Clock::evenly);
-      hidden = std::max(hidden, evenly.high - evenly.low);
+      const Sides even_sides = sidesOf(stretch, i, stride, coordinate, Clock::evenly);
+      const ExplainedStep evenly = explainedStep(even_sides.before, even_sides.after);
+      hidden = std::max(hidden, evenly.width());
       if (evenly.excess(step) < explained.excess(step)) explained = evenly;
     }
     if (explained.excess(step) > limits_.jump + slack(coordinate, explained)) {
       if (!found.first) found.first = MotionJump{i, coordinate, step, explained.low, explained.high, 0.0};
       return;
     }
-    if (stride == 1 && i > stretch.runBegin(i) + 1 && i + 1 < stretch.runEnd(i)) note(hidden, coordinate, i, found);
+    const bool has_both_sides = i > stretch.runBegin(i) + stride && i + stride < stretch.runEnd(i);
+    if (stride == strides_.back() && has_both_sides) note(hidden, coordinate, i, found);
   }
+}
+
+/// True when everything moves the same way on both sides of the step from i - stride to i, two strides far, whatever
+/// part of them is looked at: rows that come and go as fast as that are not steady.
+bool JumpFinder::isSteady(const MotionStretch& stretch, std::size_t i, std::size_t stride) const {
+  const std::size_t part = std::max<std::size_t>(1, stride / steps_per_stride);
+  const auto velocity = [&](std::size_t from, std::size_t to) {
+    robot::JointVector v = robot::JointVector::Zero(stretch.coordinates());
+    for (int k = 0; k < v.size(); ++k) v[k] = stretch.value(to, k) - stretch.value(from, k);
+    return robot::JointVector(v / (stretch.time(to) - stretch.time(from)));
+  };
+  const robot::JointVector all = velocity(i - 3 * stride, i - stride);
+  const auto isTheSame = [&](std::size_t from) {
+    return (velocity(from, from + part) - all).norm() <= steady * all.norm();
+  };
+  for (std::size_t at = 0; at + part <= 2 * stride; at += part) {
+    if (!isTheSame(i - 3 * stride + at) || !isTheSame(i + at)) return false;
+  }
+  return true;
+}
+
+/// Over tens of milliseconds a robot may well change its speed, but in a row it stays on its path: where it moves the
+/// same way before and after, what motion does not explain must lie along that way.
+void JumpFinder::lookBesideThePath(const MotionStretch& stretch, std::size_t i, std::size_t stride,
+                                   MotionJumps& found) const {
+  if (found.first || i < stretch.runBegin(i) + 3 * stride || i + 2 * stride >= stretch.runEnd(i)) return;
+  const int size = stretch.coordinates();
+  robot::JointVector before = robot::JointVector::Zero(size);
+  robot::JointVector after = before, low = before, high = before, excess = before;
+  for (int k = 0; k < size; ++k) {
+    const Sides sides = sidesOf(stretch, i, stride, k, Clock::stamps);
+    const ExplainedStep explained = explainedStep(sides.before, sides.after);
+    const double step = stretch.value(i, k) - stretch.value(i - stride, k);
+    before[k] = endMotion(sides.before).speed;
+    after[k] = endMotion(sides.after).speed;
+    low[k] = explained.low;
+    high[k] = explained.high;
+    excess[k] = std::max(step - high[k], 0.0) - std::max(low[k] - step, 0.0);
+  }
+  const double duration = stretch.time(i) - stretch.time(i - stride);
+  const robot::JointVector way = before + after;
+  if (0.5 * way.norm() * duration <= limits_.jump) return;
+  const robot::JointVector beside = excess - way * (way.dot(excess) / way.squaredNorm());
+  bool is_jump = false;
+  int most = 0;  // what lies beside the path is shared out between all coordinates, but one of them jumped
+  for (int k = 0; k < size; ++k) {
+    if (std::abs(beside[k]) > limits_.jump + limits_.resolution[static_cast<std::size_t>(k)]) is_jump = true;
+    if (std::abs(excess[k]) > std::abs(excess[most])) most = k;
+  }
+  if (!is_jump || !isSteady(stretch, i, stride)) return;
+  found.first =
+      MotionJump{i, most, stretch.value(i, most) - stretch.value(i - stride, most), low[most], high[most], 0.0};
 }
 
 /// Up to three readings of a coordinate from `i` away from a gap, each at least `spacing` [s] after the last.
@@ -161,13 +226,14 @@ void JumpFinder::lookAcrossGap(std::size_t i, MotionJumps& found) const {
       ++found.pauses;
       return;
     }
-    const SideReadings from = awayFromGap(i - 1, coordinate, gap, false), to = awayFromGap(i, coordinate, gap, true);
+    const SideReadings from = awayFromGap(i - 1, coordinate, gap / steps_per_stride, false);
+    const SideReadings to = awayFromGap(i, coordinate, gap / steps_per_stride, true);
     const ExplainedStep explained = explainedStep(from, to);
     if (explained.excess(steps[coordinate]) > limits_.jump + slack(coordinate, explained)) {
       found.first = MotionJump{i, coordinate, steps[coordinate], explained.low, explained.high, gap};
       return;
     }
-    if (from.count > 1 && to.count > 1) note(explained.high - explained.low, coordinate, i, found);
+    if (from.count > 1 && to.count > 1) note(explained.width(), coordinate, i, found);
   }
 }
 

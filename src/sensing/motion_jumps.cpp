@@ -10,7 +10,7 @@
 namespace scan_to_path::sensing {
 namespace {
 
-constexpr std::size_t readings_at_a_time = 8192;  // fixed, so that blocks do not depend on threads
+constexpr std::size_t readings_at_a_time = 32768;  // fixed, so that blocks do not depend on threads
 
 }  // namespace
 

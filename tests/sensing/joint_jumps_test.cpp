@@ -77,8 +77,8 @@ UnseenJumps look(const SensingCell& cell, const scan::SampleLog& log, int thread
 TEST(JointJumps, AreNoneInScansAtAnyRateSpeedAndAcceleration) {
   const SensingCell cell = SensingCell::small();
   for (const double rate : {1000.0, 250.0, 100.0, 50.0}) {
-    for (const double acceleration : {0.2, 1.0, 10.0}) {
-      for (const double speed : {0.05, 0.1}) {
+    for (const double acceleration : {0.2, 1.0, 3.0, 10.0}) {
+      for (const double speed : {0.02, 0.05, 0.1}) {
         SCOPED_TRACE(std::to_string(rate) + " Hz, " + std::to_string(acceleration) + " m/s^2, " +
                      std::to_string(speed) + " m/s");
         const auto log = scanned(cell, rate, acceleration, speed);
@@ -149,6 +149,36 @@ TEST(JointJumps, ThatTakeAFewReadingsAreRefused) {
   }
 }
 
+// In a row a robot may change its speed, but not its path.
+TEST(JointJumps, ThatLeaveThePathSlowlyAreRefused) {
+  const SensingCell cell = SensingCell::small();
+  for (const double rate : {1000.0, 250.0, 100.0}) {
+    const auto log = scanned(cell, rate);
+    for (const double seconds : {0.015, 0.03, 0.06}) {
+      const auto over = static_cast<std::size_t>(seconds * rate);
+      for (const double begin : {1.5, 2.513, 3.527, 7.541}) {
+        const auto from = static_cast<std::size_t>(begin * rate);
+        EXPECT_THROW(look(cell, slipped(log, 1, 400e-6 / count, from, 100000000, over)), InputError)
+            << rate << " Hz, " << seconds << " s from " << begin << " s";
+        EXPECT_THROW(look(cell, slipped(log, 0, -5000.0, from, 100000000, over)), InputError)
+            << rate << " Hz, " << seconds << " s from " << begin << " s";
+      }
+    }
+  }
+}
+
+TEST(JointJumps, AreNoneWhereTheSpeedChangesInARow) {
+  const SensingCell cell = SensingCell::small();
+  auto log = scanned(cell);
+  for (const double begin : {1.5, 2.5, 3.5, 7.5}) {
+    for (double& t : log.joint_time) {  // a fifth slower, then a fifth faster, within 120 ms
+      const double u = (t - begin) / 0.12;
+      if (u > 0.0 && u < 1.0) t += 0.2 / (2.0 * M_PI) * 0.12 * (1.0 - std::cos(2.0 * M_PI * u));
+    }
+  }
+  EXPECT_NO_THROW(look(cell, log));
+}
+
 TEST(JointJumps, SmallerOnesThanTheLimitPassAndTheLimitIsTheUsers) {
   const SensingCell cell = SensingCell::small();
   const auto log = scanned(cell);
@@ -193,6 +223,13 @@ TEST(JointJumps, BetweenRestsAreCountedAsPauses) {
   EXPECT_EQ(look(cell, scanned(cell)).pauses, 0u);
 }
 
+TEST(JointJumps, CannotBeLookedForInReadingsThatAreFarApart) {
+  const SensingCell cell = SensingCell::small();
+  auto log = scanned(cell);
+  for (double& t : log.joint_time) t *= 1000.0;
+  expectInputError([&] { look(cell, log); }, "times are in seconds: are these milliseconds?");
+}
+
 // Whatever passes unseen is no larger than what the log is said to be able to hide.
 TEST(JointJumps, ThatMotionCouldHideAreMeasured) {
   const SensingCell cell = SensingCell::small();
@@ -201,9 +238,9 @@ TEST(JointJumps, ThatMotionCouldHideAreMeasured) {
   for (const double rate : {1000.0, 250.0, 100.0, 50.0}) {
     const auto log = scanned(cell, rate);
     const UnseenJumps unseen = look(cell, log);
-    // One interval of a ramp of 1 m/s^2, 0.8 m to 0.9 m from the axis, before and after a turn.
-    const double ramp = 1.0 / 0.85 / (rate * rate);
-    EXPECT_LT(unseen.angle, std::max(6.0 * ramp, 2.0 * limit)) << rate;
+    // Steps over 8 ms or more in a ramp of 1 m/s^2, 0.8 m to 0.9 m from the axis, before and after a turn.
+    const double ramp = 1.0 / 0.85 * std::pow(std::max(1.0 / rate, 0.008), 2);
+    EXPECT_LT(unseen.angle, 8.0 * ramp) << rate;
     for (int i = 0; i < 100; ++i) {
       // Every second one within 0.1 s of where most could hide.
       const double anywhere = random.uniform(0.1, log.joint_time.back() - 0.1);

@@ -14,7 +14,7 @@ namespace {
 constexpr double interval = 0.004;  // [s]
 constexpr double allowed = 5e-5;
 
-/// Three coordinates on swings of their own, the third at rest from half time on.
+/// Three coordinates on swings of their own.
 class Swings : public MotionReadings {
 public:
   explicit Swings(Random& random, std::size_t size = 20000) : size_(size) {
@@ -25,8 +25,7 @@ public:
   double timeOf(std::size_t reading) const override { return interval * static_cast<double>(reading); }
   robot::JointVector valuesOf(std::size_t reading) const override {
     robot::JointVector values(3);
-    const double t = timeOf(reading), half = timeOf(size_ / 2);
-    for (int k = 0; k < 3; ++k) values[k] = 0.05 * std::sin((1.0 + k) * (k == 2 ? std::min(t, half) : t) + phase_[k]);
+    for (int k = 0; k < 3; ++k) values[k] = 0.05 * std::sin((1.0 + k) * timeOf(reading) + phase_[k]);
     if (reading >= jump_at) values[jumping] += jump;
     return values;
   }

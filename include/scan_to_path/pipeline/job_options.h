@@ -38,6 +38,7 @@ struct ScanSection {
 struct ReportOptions {
   double max_clock_offset = 2e-4;
   double max_unseen_jump = 1e-3;
+  int max_unseen_pauses = 0;
   double max_dropped_share = 0.05;
   double max_line_residual = 1e-4;
   double max_surface_residual = 5e-5;
@@ -56,6 +57,10 @@ struct ReportOptions {
           Field{"max_unseen_jump", "m",
                 "that a joint's slip may move the sensor without being told from motion: see unseen_joint_jump; 0: any",
                 0.0, 1.0});
+    visit(self.max_unseen_pauses,
+          Field{"max_unseen_pauses", "",
+                "pauses of the joint readings in which the robot may be moved: rows recorded one by one need as many",
+                0, 1000000});
     visit(self.max_dropped_share,
           Field{"max_dropped_share", "", "share of the part's samples that may be left out of the fit", 0.0, 1.0});
     visit(self.max_line_residual,

@@ -15,7 +15,7 @@ namespace scan_to_path::pipeline {
 /// What to say of what the sensor was carried by: how far a slip could have moved it without being told from motion
 /// (motion_jumps.h), where it moved unseen, and joint readings that a log repeats.
 struct JointFindings {
-  std::vector<Accuracy> accuracy;  ///< unseen_joint_jump [m]
+  std::vector<Accuracy> accuracy;  ///< unseen_joint_jump [m], unseen_pauses
   std::vector<std::string> notes;
 };
 

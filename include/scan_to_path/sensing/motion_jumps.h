@@ -46,15 +46,17 @@ struct HiddenJump {
 
 struct MotionJumps {
   std::optional<MotionJump> first;  ///< in order of time
-  std::vector<HiddenJump> hidden;   ///< the largest of each coordinate in every 8192 readings
+  std::vector<HiddenJump> hidden;   ///< the largest of each coordinate in every 32768 readings, within 10 ms
   std::size_t pauses = 0;           ///< gaps between rests, with something elsewhere after them
 };
 
 /// Looks for steps that go by more than `limits.jump` beyond what the readings before and after explain (see
-/// src/sensing/explained_step.h): from one reading to the next, over 2, 4, 8 … readings up to 10 ms (a slip that takes
-/// a few readings; what takes longer looks like motion), and over gaps unless everything rests on both sides of one.
-/// Explained too are stamps that are half a millisecond off, or off in any way between readings taken evenly, and the
-/// resolution. The same for any number of threads. About 0.1 us for each reading of six coordinates.
+/// src/sensing/explained_step.h): from one reading to the next, over 2, 4, 8 … readings up to 10 ms, and over gaps
+/// unless everything rests on both sides of one. Explained too are stamps that are half a millisecond off, or off in
+/// any way between readings taken evenly, and the resolution. Over up to 0.13 s steps are looked at where all moves the
+/// same way on both sides: speed may change there, but what is left beside the way is a jump. What takes longer, or
+/// hides in a turn, looks like motion. The same for any number of threads. About 0.1 us for each reading of six
+/// coordinates.
 MotionJumps findMotionJumps(const MotionReadings& readings, const JumpLimits& limits, int threads = 1,
                             const Progress& progress = {});
 
