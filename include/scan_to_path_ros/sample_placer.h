@@ -72,6 +72,7 @@ private:
   void addSample(const Sample& sample, const ros::Time& stamp);
   void addPoint(const Sample& sample, const core::geometry::Frame& T_base_sensor);
   void placeWaiting();
+  ros::Time followed() const;  ///< the last acknowledged sample on the transforms' clock
   void leaveOut(const Sample& sample, const char* reason);
   void giveUp(const char* reason);
   void check(const core::ScanSamples& samples) const;

@@ -13,13 +13,14 @@
 
 namespace scan_to_path_ros {
 
-/// Where the sensor was at each transform that samples lay beside: its origin and a point before it, so that what only
-/// turns it shows as well.
+/// Where the sensor was at each reading of a scan: its origin and a point before it, so that what only turns it shows
+/// as well.
 class SensorTrack : public scan_to_path::sensing::MotionReadings {
 public:
-  void add(const ros::Time& stamp, const scan_to_path::geometry::Frame& T_base_sensor);
+  /// Leaves out what could only be reached from the last place faster than `max_speed` [m/s].
+  void add(const ros::Time& stamp, const scan_to_path::geometry::Frame& T_base_sensor, double max_speed);
   void clear() { places_.clear(); }
-  bool endsAt(const ros::Time& stamp) const { return !places_.empty() && places_.back().stamp == stamp; }
+  ros::Time end() const { return places_.back().stamp; }  ///< of the last reading; needs one
 
   std::size_t size() const override { return places_.size(); }
   double timeOf(std::size_t reading) const override;                              ///< [s] from the first

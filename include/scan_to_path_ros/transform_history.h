@@ -41,7 +41,11 @@ public:
   enum class Reach { known, not_yet, before_first, gap, jump };
   Reach reach(const ros::Time& stamp);
 
-  /// The sensor at all transforms that reach() found known on both sides, since the options were set last.
+  /// Adds the readings up to `until` to the track, which begins where reach() found the first stamp between two. What
+  /// comes later than this out of order is not followed.
+  void follow(const ros::Time& until);
+
+  /// The sensor at all readings followed since the options were set last.
   const SensorTrack& track() const { return track_; }
 
   /// T_base_sensor, interpolated to the stamp. Throws tf2::TransformException when frames are missing.
@@ -65,6 +69,7 @@ private:
     bool jumps = false;
   } step_;
   SensorTrack track_;
+  ros::Time track_begin_;  ///< zero before the scan
 };
 
 }  // namespace scan_to_path_ros

@@ -125,7 +125,10 @@ void SamplePlacer::placeWaiting() {
     acknowledged_ = waiting_.front().stamp;
     waiting_.pop_front();
   }
+  if (!acknowledged_.isZero()) transforms_.follow(followed() - ros::Duration(options_.max_disorder));
 }
+
+ros::Time SamplePlacer::followed() const { return acknowledged_ + ros::Duration(options_.clock_offset); }
 
 SamplePlacer::Outcome SamplePlacer::place(const Sample& sample) {
   if (std::isnan(sample.range)) {  // REP 117
@@ -197,6 +200,7 @@ core::pipeline::ScanStage SamplePlacer::take() {
     for (const auto& entry : dropped_) message += ", " + std::to_string(entry.count) + " " + entry.reason;
     throw InputError(message);
   }
+  transforms_.follow(followed());
   const auto unseen = checkSensorJumps(transforms_.track(), options_.max_joint_jump, options_.max_joint_gap);
   core::pipeline::JointFindings joints = core::pipeline::jointFindings(unseen, 1, options_.limits);
   core::pipeline::ScanStage stage;

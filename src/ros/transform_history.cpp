@@ -23,6 +23,7 @@ void TransformHistory::setOptions(const TransformHistoryOptions& options) {
   moving_frame_.clear();
   step_ = Step();
   track_.clear();
+  track_begin_ = ros::Time();
 }
 
 ros::Duration TransformHistory::add(const geometry_msgs::TransformStamped& transform, bool is_static) {
@@ -35,6 +36,7 @@ ros::Duration TransformHistory::add(const geometry_msgs::TransformStamped& trans
     stamps_.clear();
     step_ = Step();
     track_.clear();
+    track_begin_ = ros::Time();
   }
   if (!buffer_.setTransform(transform, "tf", is_static) || is_static) return went_back;
   Stamps& stamps = stamps_[transform.child_frame_id];
@@ -65,12 +67,27 @@ bool TransformHistory::jumps(const ros::Time& before, const ros::Time& after) {
     const Frame T_after = sensorAt(after);
     const double distance = (T_after * ahead - T_before * ahead).norm();
     step_ = {before, after, T_after, distance > options_.max_speed * (after - before).toSec()};
-    if (step_.jumps) return true;
-    if (!track_.endsAt(before)) track_.add(before, T_before);
-    track_.add(after, T_after);
-    return false;
+    if (track_begin_.isZero()) {  // a robot that waited did so elsewhere
+      track_begin_ = after - before > ros::Duration(options_.max_joint_gap) ? after : before;
+    }
+    return step_.jumps;
   } catch (const tf2::TransformException&) {
     return false;  // what is missing is found missing when the sensor is asked for
+  }
+}
+
+/// A reading that nothing could reach in its time is none of the robot's.
+void TransformHistory::follow(const ros::Time& until) {
+  if (track_begin_.isZero()) return;
+  const Stamps& stamps = stamps_[moving_frame_];
+  const auto begin = track_.size() == 0 ? std::lower_bound(stamps.begin(), stamps.end(), track_begin_)
+                                        : std::upper_bound(stamps.begin(), stamps.end(), track_.end());
+  for (auto stamp = begin; stamp != stamps.end() && *stamp <= until; ++stamp) {
+    try {
+      track_.add(*stamp, sensorAt(*stamp), options_.max_speed);
+    } catch (const tf2::TransformException&) {
+      continue;  // the sensor's other frames are not known there
+    }
   }
 }
 

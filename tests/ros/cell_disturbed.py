@@ -173,7 +173,8 @@ class CellDisturbed(unittest.TestCase):
         joints = [(at, message) for at, message in self.scan.joints if not begin < at < begin + 4 * MAX_JOINT_GAP]
         end = joints[middle + 1][0]
         job, code, said = self.job(joints)
-        self.assertEqual(code, 0, said)
+        self.assertEqual(code, 1, said)
+        self.assertIn("FAILED    unseen_joint_jump", said)  # at 0.4 m/s a slip within 0.2 s could not be told from motion
         self.expect_left_out(job, "joint readings too far apart", self.scan.returns_between(begin, end - 1))  # at its end it is known
 
     def test_transforms_jump(self):

@@ -21,7 +21,7 @@ SensorTrack track(double off = 0.0, int last = 1000) {
   for (int i = 0; i < 200; ++i) {
     auto T_base_sensor = MovingSensor::linkAt(0.01 * i) * MovingSensor::mount();
     if (i >= 80 && i <= last) T_base_sensor.translation().z() += off;
-    track.add(MovingSensor::stamp(0.01 * i), T_base_sensor);
+    track.add(MovingSensor::stamp(0.01 * i), T_base_sensor, 2.0);
   }
   return track;
 }
@@ -43,13 +43,17 @@ TEST(SensorTrack, RefusesWhatMotionDoesNotExplain) {
   EXPECT_NO_THROW(checkSensorJumps(track(1e-3), 0.0, max_gap)) << "none is looked for";
 }
 
-TEST(SensorTrack, KnowsItsEnd) {
+TEST(SensorTrack, LeavesOutWhatNoRobotReaches) {
   SensorTrack track;
-  EXPECT_FALSE(track.endsAt(MovingSensor::stamp(0.0)));
-  track.add(MovingSensor::stamp(0.0), MovingSensor::mount());
-  EXPECT_TRUE(track.endsAt(MovingSensor::stamp(0.0)));
+  track.add(MovingSensor::stamp(0.0), MovingSensor::linkAt(0.0), 2.0);
+  auto wrong = MovingSensor::linkAt(0.01);
+  wrong.translation().x() += 0.021;
+  track.add(MovingSensor::stamp(0.01), wrong, 2.0);
+  EXPECT_EQ(track.size(), 1U);
+  track.add(MovingSensor::stamp(0.02), MovingSensor::linkAt(0.02), 2.0);
+  EXPECT_EQ(track.size(), 2U);
+  EXPECT_EQ(track.end(), MovingSensor::stamp(0.02));
   track.clear();
-  EXPECT_EQ(track.size(), 0U);
   EXPECT_NO_THROW(checkSensorJumps(track, max_joint_jump, max_gap));
 }
 

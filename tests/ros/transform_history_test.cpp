@@ -46,6 +46,20 @@ TEST_F(TransformHistoryTest, TellsAGap) {
   EXPECT_EQ(history_.reach(MovingSensor::stamp(0.14)), Reach::known);
 }
 
+TEST_F(TransformHistoryTest, TracksTheSensorFromTheScanOn) {
+  history_.add(MovingSensor::linkTransform(0.6), false);  // the robot waited for half a second
+  for (int i = 61; i <= 70; ++i) history_.add(MovingSensor::linkTransform(0.01 * i), false);
+  for (int i = 600; i <= 695; ++i) EXPECT_EQ(history_.reach(MovingSensor::stamp(0.001 * i)), Reach::known) << i;
+  history_.follow(MovingSensor::stamp(0.65));
+  history_.add(MovingSensor::linkTransform(0.655), false);  // late
+  history_.follow(MovingSensor::stamp(0.695));
+  ASSERT_EQ(history_.track().size(), 11U);
+  EXPECT_NEAR(history_.track().timeOf(6), 0.055, 1e-9);
+  EXPECT_NEAR(history_.track().timeOf(10), 0.09, 1e-9);
+  const auto place = MovingSensor::linkAt(0.6) * MovingSensor::mount();
+  EXPECT_LT((history_.track().valuesOf(0).head<3>() - place.translation()).norm(), 1e-12);
+}
+
 TEST_F(TransformHistoryTest, TellsAJumpOfPlaceOrDirection) {
   // 2 m/s over 10 ms allow 20 mm.
   auto moved = MovingSensor::linkTransform(0.11);
