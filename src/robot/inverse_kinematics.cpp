@@ -18,6 +18,7 @@ constexpr double converged = 1e-10;          // where the iteration stops: [m] a
 constexpr int max_iterations = 50;
 constexpr int configuration_starts = 200;  // for allConfigurations
 constexpr int fallback_starts = 12;        // for solve, when its seed leads nowhere
+constexpr double max_variants = 256;       // by whole turns, of one configuration
 constexpr double turn = 2.0 * M_PI;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -83,21 +84,53 @@ bool sameConfiguration(const JointVector& a, const JointVector& b) {
   return true;
 }
 
-/// Appends every variant of `q` by whole turns that is within the limits, the coupled axis's too; a continuous joint
-/// has one, nearest to 0.
-void appendTurns(const Robot& robot, JointVector q, int joint, std::vector<JointVector>& found) {
+/// The angles of a joint that are whole turns from `angle` and within the limits, the nearest to the middle of its
+/// range first; of a continuous joint one, nearest to 0.
+std::vector<double> turnsWithin(const Joint& joint, double angle) {
+  if (!std::isfinite(joint.upper - joint.lower)) return {nearestTurn(angle, 0.0)};
+  std::vector<double> turns;
+  for (double q = angle + turn * std::ceil((joint.lower - angle) / turn); q <= joint.upper; q += turn) {
+    turns.push_back(q);
+  }
+  const double middle = 0.5 * (joint.lower + joint.upper);
+  std::stable_sort(turns.begin(), turns.end(),
+                   [middle](double a, double b) { return std::abs(a - middle) < std::abs(b - middle); });
+  return turns;
+}
+
+/// Joints that all turn for long would have more variants than memory: the joint with the most loses the one farthest
+/// from its middle, until no more than `max_variants` are left.
+void limitVariants(std::vector<std::vector<double>>& turns) {
+  const auto variants = [&turns] {
+    double product = 1.0;
+    for (const auto& angles : turns) product *= static_cast<double>(angles.size());
+    return product;
+  };
+  while (variants() > max_variants) {
+    std::max_element(turns.begin(), turns.end(), [](const auto& a, const auto& b) {
+      return a.size() < b.size();
+    })->pop_back();
+  }
+}
+
+void appendProduct(const Robot& robot, const std::vector<std::vector<double>>& turns, int joint, JointVector& q,
+                   std::vector<JointVector>& found) {
   if (joint == robot.dof()) {
     if (coupledMargin(robot, q) >= 0.0) found.push_back(q);
     return;
   }
-  const Joint& limits = robot.joints[static_cast<std::size_t>(joint)];
-  if (!std::isfinite(limits.upper - limits.lower)) {
-    q[joint] = nearestTurn(q[joint], 0.0);
-    return appendTurns(robot, q, joint + 1, found);
+  for (const double angle : turns[static_cast<std::size_t>(joint)]) {
+    q[joint] = angle;
+    appendProduct(robot, turns, joint + 1, q, found);
   }
-  for (q[joint] += turn * std::ceil((limits.lower - q[joint]) / turn); q[joint] <= limits.upper; q[joint] += turn) {
-    appendTurns(robot, q, joint + 1, found);
-  }
+}
+
+/// Appends the variants of `q` by whole turns that are within the limits, the coupled axis's too.
+void appendTurns(const Robot& robot, JointVector q, std::vector<JointVector>& found) {
+  std::vector<std::vector<double>> turns;
+  for (int i = 0; i < robot.dof(); ++i) turns.push_back(turnsWithin(robot.joints[static_cast<std::size_t>(i)], q[i]));
+  limitVariants(turns);
+  appendProduct(robot, turns, 0, q, found);
 }
 
 double distanceFromMiddle(const Robot& robot, const JointVector& q) {
@@ -204,7 +237,7 @@ std::vector<JointVector> InverseKinematics::allConfigurations(const Frame& T_bas
                                    [&q](const JointVector& other) { return sameConfiguration(q, other); });
     if (known) continue;
     distinct.push_back(q);
-    appendTurns(impl_->robot, q, 0, found);
+    appendTurns(impl_->robot, q, found);
   }
   std::stable_sort(found.begin(), found.end(), [this](const JointVector& a, const JointVector& b) {
     return distanceFromMiddle(impl_->robot, a) < distanceFromMiddle(impl_->robot, b);

@@ -172,6 +172,12 @@ Frame jointOrigin(const urdf::Joint& joint) {
   return T;
 }
 
+[[noreturn]] void refuseDegrees(const urdf::Joint& source, const char* quantity, const std::string& value,
+                                const char* limit) {
+  throw InputError(jointLabel(source) + ": " + quantity + " is " + value + ", must be " + limit +
+                   "; it looks like degrees, URDF takes radians (an axis without an end is continuous)");
+}
+
 void readLimits(const urdf::Joint& source, Joint& joint) {
   if (source.limits == nullptr)
     throw InputError(jointLabel(source) + ": limit is absent, must have lower, upper, velocity");
@@ -179,6 +185,9 @@ void readLimits(const urdf::Joint& source, Joint& joint) {
   if (!(joint.max_velocity > 0.0) || !std::isfinite(joint.max_velocity)) {
     throw InputError(jointLabel(source), "limit velocity", fixed(joint.max_velocity, 6) + " rad/s", "> 0 and finite");
   }
+  // Two thirds more than the fastest wrists of six-axis arms, 1100 degrees per second, drive.
+  constexpr double fastest = 30.0;
+  if (joint.max_velocity > fastest) refuseDegrees(source, "velocity", fixed(joint.max_velocity, 6) + " rad/s", "<= 30");
   if (source.type == urdf::Joint::CONTINUOUS) {
     joint.lower = -std::numeric_limits<double>::infinity();
     joint.upper = std::numeric_limits<double>::infinity();
@@ -186,12 +195,13 @@ void readLimits(const urdf::Joint& source, Joint& joint) {
   }
   joint.lower = source.limits->lower;
   joint.upper = source.limits->upper;
-  // The choice of whole turns counts on ranges of a few turns.
-  constexpr double largest = 1000.0;
-  if (!(joint.lower < joint.upper && joint.lower >= -largest && joint.upper <= largest)) {
-    throw InputError(jointLabel(source), "limit", fixed(joint.lower, 6) + " to " + fixed(joint.upper, 6) + " rad",
-                     "rising and within 1000 rad");
+  const std::string range = fixed(joint.lower, 6) + " to " + fixed(joint.upper, 6) + " rad";
+  if (!(joint.lower < joint.upper && std::isfinite(joint.upper - joint.lower))) {
+    throw InputError(jointLabel(source), "limit", range, "rising and finite");
   }
+  // Eight turns either way, where wrists turn by one or two; in degrees any arm has a joint that turns by more than 50.
+  constexpr double largest = 50.0;
+  if (joint.lower < -largest || joint.upper > largest) refuseDegrees(source, "limit", range, "within 50 rad");
 }
 
 Joint movableJoint(const urdf::Joint& source, const Frame& T_parent_joint) {

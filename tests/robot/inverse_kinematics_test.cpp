@@ -253,6 +253,27 @@ TEST(AllConfigurations, CompletenessCheckSeesALostConfiguration) {
             0.99);
 }
 
+// Fifteen turns in each of six joints are eleven million variants of every configuration.
+TEST(AllConfigurations, OfLongRangesAreTheTurnsNearestTheMiddle) {
+  Robot robot = irb2400();
+  const JointVector q = (JointVector(6) << 0.1, 0.2, -0.3, 0.4, 0.5, 0.6).finished();
+  for (Joint& joint : robot.joints) joint.lower = -47.0, joint.upper = 47.0;
+  const auto all = InverseKinematics(robot).allConfigurations(forwardKinematics(robot, q));
+  ASSERT_FALSE(all.empty());
+  EXPECT_LE(all.size(), 8U * 256U);
+  for (const JointVector& found : all) expectReaches(found, forwardKinematics(robot, q));
+  // Without a turn is nearest the middle.
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&q](const auto& a) { return largestDifference(a, q) < 1e-5; }));
+  // One wrist that turns for long has all its turns: 15 of them within 47 rad, for each of the flips.
+  robot = irb2400();
+  robot.joints[5].lower = -47.0, robot.joints[5].upper = 47.0;
+  const auto turned = InverseKinematics(robot).allConfigurations(forwardKinematics(robot, q));
+  const auto same = std::count_if(turned.begin(), turned.end(), [&q](const JointVector& a) {
+    return largestDifference(a.head(5), q.head(5)) < 1e-5;
+  });
+  EXPECT_EQ(same, 15);
+}
+
 TEST(AllConfigurations, OfAContinuousWristHaveOneTurnEach) {
   Robot robot = irb2400();
   robot.joints[5].lower = -std::numeric_limits<double>::infinity();

@@ -104,6 +104,20 @@ TEST(ParseRobot, RefusesJointsItCannotDrive) {
   EXPECT_THAT(with("revolute", std::string("<origin xyz='1 0'/>") + good_limit), testing::Ne("accepted"));
 }
 
+TEST(ParseRobot, RefusesLimitsThatLookLikeDegrees) {
+  const auto with = [](const std::string& type, const std::string& limit) {
+    return complaint(robotText(joint("wrist", type, "a", "b", limit) + joint("f", "fixed", "b", "c", "")));
+  };
+  const auto degrees = AllOf(HasSubstr("wrist"), HasSubstr("looks like degrees"));
+  EXPECT_THAT(with("revolute", "<limit lower='-100' upper='110' velocity='3' effort='0'/>"), degrees);
+  EXPECT_THAT(with("revolute", "<limit lower='-60' upper='45' velocity='3' effort='0'/>"), degrees);
+  EXPECT_THAT(with("revolute", "<limit lower='-1' upper='2' velocity='150' effort='0'/>"), degrees);
+  EXPECT_THAT(with("continuous", "<limit velocity='360' effort='0'/>"), degrees);
+  // 400 and 2700 degrees, as wrists have, at 1100 degrees per second.
+  EXPECT_EQ(with("revolute", "<limit lower='-6.981' upper='6.981' velocity='19.2' effort='0'/>"), "accepted");
+  EXPECT_EQ(with("revolute", "<limit lower='-47.12' upper='47.12' velocity='19.2' effort='0'/>"), "accepted");
+}
+
 TEST(ParseRobot, RefusesMoreThanEightJoints) {
   std::string body;
   for (int i = 0; i < 9; ++i) {

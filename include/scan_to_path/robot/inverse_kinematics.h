@@ -33,9 +33,10 @@ public:
   std::optional<JointVector> solve(const Frame& T_base_tip, const JointVector& seed, Miss* miss = nullptr) const;
 
   /// All distinct configurations within the limits of joints and coupled axis (shoulder, elbow, wrist; whole turns
-  /// included, of a continuous joint only the one nearest 0), sorted by their distance from the middle of the joint
-  /// ranges, found from 200 fixed starts: the same list every time, in about 2 ms. In a singular pose, or with more
-  /// than six joints, solutions are not countable: the list then holds those that were found.
+  /// included, of a continuous joint only the one nearest 0, and of ranges of many turns at most 256 combinations,
+  /// those nearest the middle), sorted by their distance from the middle of the joint ranges, found from 200 fixed
+  /// starts: the same list every time, in about 2 ms. In a singular pose, or with more than six joints, solutions are
+  /// not countable: the list then holds those that were found.
   std::vector<JointVector> allConfigurations(const Frame& T_base_tip) const;
 
 private:
