@@ -87,12 +87,28 @@ std::size_t usualRun(const std::vector<VoltageRun>& runs) {
   return static_cast<std::size_t>(median(std::move(counts)));
 }
 
+/// A dead sensor has no noise to tell it from a plate by; but no plate lies so level that nothing ever changes.
+void checkThatVoltageChanges(const std::vector<VoltageRun>& runs, const scan::SampleLog& log) {
+  const double only = log.voltage[runs.front().first];
+  std::size_t count = 0;
+  for (const auto& run : runs) {
+    if (log.voltage[run.first] != only) return;
+    count += run.count;
+  }
+  if (count < fewest_differences) return;
+  throw InputError("sample log: all " + std::to_string(count) + " samples that measure say " + fixed(only, 6) +
+                   " V: a sensor that is off, not connected or holds a value (cell.laser.max_repeats=0 takes it for a "
+                   "plate)");
+}
+
 }  // namespace
 
 void checkRestingSensor(const scan::SampleLog& log, const PointLaserOptions& laser) {
   const auto max_repeats = static_cast<std::size_t>(laser.max_repeats);
   if (max_repeats == 0 || !hasLongRun(log.voltage, max_repeats)) return;
   const auto runs = equalVoltages(log.voltage, laser);
+  if (runs.empty()) return;
+  checkThatVoltageChanges(runs, log);
   const std::size_t longest = max_repeats * usualRun(runs);
   const auto rest = std::find_if(runs.begin(), runs.end(), [&](const auto& run) { return run.count > longest; });
   if (rest == runs.end()) return;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/geometry/scene.h"
 #include "support/expect_input_error.h"
 #include "support/sensing_cell.h"
 
@@ -76,10 +77,13 @@ TEST(RestingSensor, FlatPartsWithoutNoiseAreMeasured) {
   expectMeasuring(plate.emulate({}).log);
 }
 
-/// A plate measured with noise, through a converter of that many bits.
+/// A plate measured with noise, through a converter of that many bits. It lies 1 mrad askew, 0.1 mm or more over its
+/// length, as level to a step of every converter it would measure the same all over, as a dead sensor does.
 scan::SampleLog plateThroughConverter(double noise, int bits) {
   SensingCell plate = SensingCell::small();
-  plate.scene = std::make_shared<geometry::FlatPart>(geometry::Rectangle{0.0, 0.24, 0.0, 0.16});
+  plate.scene = std::make_shared<geometry::PosedSurface>(
+      std::make_shared<geometry::FlatPart>(geometry::Rectangle{0.0, 0.24, 0.0, 0.16}),
+      geometry::makeFrame(geometry::Vector3::Zero(), {0.0, 1e-3, 0.0}));
   EmulationOptions options;
   options.errors.noise_sigma = noise;
   options.errors.converter_bits = bits;
@@ -104,6 +108,24 @@ TEST(RestingSensor, SlowSensorsMayRepeatThemselves) {
   expectMeasuring(log);
   std::fill_n(log.voltage.begin() + 3000, 102, 1.25);
   test::expectInputError([&] { checkRestingSensor(log, {}); }, "(limit 100, cell.laser.max_repeats)");
+}
+
+// Not even over a plate without noise does nothing change.
+TEST(RestingSensor, ADeadSensorIsNoPlate) {
+  auto log = restScan(ErrorSet::none);
+  std::fill(log.voltage.begin(), log.voltage.end(), 1.0);
+  const std::string samples = std::to_string(log.voltage.size());
+  test::expectInputError([&] { checkRestingSensor(log, {}); },
+                         "all " + samples + " samples that measure say 1.000000 V");
+  PointLaserOptions any;
+  any.max_repeats = 0;
+  expectMeasuring(log, any);
+  // What measures nothing tells nothing.
+  log.voltage[1000] = std::nan("");
+  log.voltage[2000] = 4.999;
+  test::expectInputError([&] { checkRestingSensor(log, {}); }, "samples that measure say 1.000000 V");
+  log.voltage[3000] = 1.001;
+  expectMeasuring(log);
 }
 
 TEST(RestingSensor, ShortAndEmptyLogsTellNothing) {
