@@ -36,6 +36,16 @@ std::string armWithLink(const std::string& name) {
   return path;
 }
 
+TEST(Cell, MountsTurnedByDegreesAreRefused) {
+  for (MountOptions CellOptions::*mount : {&CellOptions::sensor, &CellOptions::tool, &CellOptions::workpiece}) {
+    CellOptions options;
+    (options.*mount).rpy = {0.0, 2.0 * M_PI, -M_PI};
+    EXPECT_EQ(cellError(options), "no error");
+    (options.*mount).rpy.x() = 45.0;
+    EXPECT_THAT(cellError(options), HasSubstr(".rpy[0] is 45 rad, must be in [-7, 7]"));
+  }
+}
+
 TEST(Cell, DefaultsMakeTheShippedCell) {
   const Cell cell = makeCell(CellOptions(), shipped);
   EXPECT_EQ(cell.robot.dof(), 6);

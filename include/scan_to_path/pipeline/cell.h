@@ -27,7 +27,7 @@ struct MountOptions {
   static void fields(Self& self, Visitor&& visit) {
     visit(self.parent, Field{"parent", "", "frame it is fixed to"});
     visit(self.xyz, Field{"xyz", "m", "position in the parent"});
-    visit(self.rpy, Field{"rpy", "rad", "roll, pitch, yaw in the parent, about fixed axes"});
+    visit(self.rpy, Field{"rpy", "rad", "roll, pitch, yaw in the parent, about fixed axes", -7.0, 7.0});
   }
 };
 
