@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan_to_path/pipeline/input.h"
 
+#include "scan_to_path/common/byte_order_mark.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/mesh/ply.h"
@@ -39,6 +40,7 @@ double metresPerUnit(Units units) {
 }
 
 InputKind detectInput(std::string_view content, const std::string& name) {
+  content = withoutByteOrderMark(content);
   if (content.empty()) throw InputError(name + ": is empty");
   if (startsWith(content, "#ROSBAG"))
     throw InputError(name + ": is a ROS bag; this build reads none, use the ROS build");

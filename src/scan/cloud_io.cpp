@@ -9,6 +9,7 @@
 
 #include "lzf.h"
 #include "pcd_header.h"
+#include "scan_to_path/common/byte_order_mark.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/mesh/ply.h"
@@ -270,6 +271,7 @@ bool isPcd(std::string_view content) {
 }
 
 CloudFile parseCloud(std::string_view content, const std::string& name) {
+  content = withoutByteOrderMark(content);
   if (mesh::isPly(content)) return readPly(content, name);
   if (isPcd(content)) return PcdReader(content, name).read();
   throw InputError(name, "content", "neither PCD nor PLY", "one of them");

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "decimal.h"
+#include "scan_to_path/common/byte_order_mark.h"
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/quote.h"
 #include "scan_to_path/common/text.h"
@@ -21,7 +22,7 @@ constexpr std::string_view magic = "# scan_to_path samples 1";
 /// Reads a log line by line; one pass over the text, no copies of it.
 class LogParser {
 public:
-  LogParser(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+  LogParser(std::string_view text, const std::string& name) : rest_(withoutByteOrderMark(text)), name_(name) {}
 
   SampleLog parse() {
     if (trimmed(takeLine()) != magic) fail("first line", "not that of a sample log", "'" + std::string(magic) + "'");

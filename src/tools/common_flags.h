@@ -17,6 +17,11 @@ namespace scan_to_path::tools {
 /// What a seed may be: what the configuration's may.
 inline CLI::Range seedRange() { return CLI::Range(0, 2147483647); }
 
+/// The default of a flag holds where it is not given: an empty text is a variable that was not set.
+inline CLI::Validator notEmpty() {
+  return CLI::Validator([](std::string& text) { return std::string(text.empty() ? "is empty" : ""); }, "");
+}
+
 /// The flags that all subcommands share, and what follows from them.
 struct CommonFlags {
   std::string config;

@@ -56,7 +56,9 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
                   "of random choices, written to the report; cutting draws no random numbers: it changes nothing else")
       ->check(seedRange())
       ->capture_default_str();
-  command.add_option("--out", flags.out, "directory of the result (default out/<process>)")->type_name("DIR");
+  command.add_option("--out", flags.out, "directory of the result (default out/<process>)")
+      ->type_name("DIR")
+      ->check(notEmpty());
   flags.common.addTo(command);
 }
 

@@ -252,6 +252,9 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(self.plan("--stop-after", "never"), "must be one of scan, fit, path, motion, program")
         self.assert_refused(self.plan("--frobnicate"), "--frobnicate")
         self.assert_refused(run("plan"), "--input is missing")
+        self.assert_refused(run("plan", "--input", self.log, "--out", ""), "--out", "is empty")
+        self.assert_refused(self.plan("--set", "cell.tool.rpy=[0, 0, 45]"), "cell.tool.rpy[2] is 45 rad", "must be in [-7, 7]")
+        self.assert_refused(self.plan("--workpiece-pose", "0.9 0 0.4 0 0 90"), "cell.workpiece.rpy[2]", "is 90 rad")
         self.assert_refused(run())
         self.assert_refused(run("emulate", "--errors", "some", "--out", self.root / "x.csv"), "none, white, realistic")
         config = self.root / "bad.yaml"

@@ -14,6 +14,7 @@ using ::testing::HasSubstr;
 TEST(Input, IsDetectedByContent) {
   const auto kind = [](const std::string& content) { return detectInput(content, "f"); };
   EXPECT_EQ(kind("# scan_to_path samples 1\nt,j,voltage\n"), InputKind::samples);
+  EXPECT_EQ(kind("\xEF\xBB\xBF# scan_to_path samples 1\nt,j,voltage\n"), InputKind::samples);
   EXPECT_EQ(kind("# .PCD v0.7\nVERSION 0.7\n"), InputKind::cloud);
   EXPECT_EQ(kind("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"), InputKind::cloud);
   EXPECT_EQ(kind("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 1\n"

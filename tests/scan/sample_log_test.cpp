@@ -57,6 +57,12 @@ TEST(SampleLog, TakesBlanksExponentsAndDosLineEnds) {
   EXPECT_THAT(log.voltage, ElementsAre(2.5, 3.0));
 }
 
+TEST(SampleLog, SkipsAByteOrderMark) {
+  const std::string text = "# scan_to_path samples 1\nt,joint_1,voltage\n0.5,3,1.25\n";
+  EXPECT_EQ(parseSampleLog("\xEF\xBB\xBF" + text, "log").voltage, parseSampleLog(text, "log").voltage);
+  EXPECT_THROW(parseSampleLog("\xEF\xBB" + text, "log"), InputError);
+}
+
 TEST(SampleLog, NumbersAreRoundedCorrectly) {
   const SampleLog log = parse("0.1,123456789012345678901,0.30000000000000004,-0.000001\n");
   EXPECT_EQ(log.joint_time[0], 0.1);
