@@ -11,6 +11,7 @@
 #include "scan_to_path/common/text.h"
 #include "scan_to_path/motion/trajectory.h"
 #include "scan_to_path/pipeline/background_findings.h"
+#include "scan_to_path/pipeline/blind_spots.h"
 #include "scan_to_path/pipeline/clock_findings.h"
 #include "scan_to_path/pipeline/joint_findings.h"
 #include "scan_to_path/pipeline/lowered_feeds.h"
@@ -35,8 +36,8 @@ double lossShare(const std::vector<scan::Dropped>& dropped, std::size_t used) {
   return lost + used == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(lost + used);
 }
 
-/// What was nearer than the sensor sees may reach as high as the sensor went. A single beam of that kind is an error
-/// of the sensor's, as spikes are; three within a square of a millimetre are not.
+/// What was nearer than the sensor sees, or made it fail, may reach as high as the sensor went. A single beam of that
+/// kind is an error of the sensor's, as spikes are; three within a square of a millimetre are not.
 void addTooNear(const scan::NoReturns& no_returns, scan::FittedScan& scan) {
   constexpr double side = 0.001;  // [m]
   constexpr std::size_t least = 3;
@@ -178,10 +179,11 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   stage.accuracy.push_back({"dropped_share", lossShare(dropped, scan.samples_used), "1", limits.max_dropped_share});
   stage.accuracy.push_back({"row_pitch", scan.pitch, "m"});
   // The filter cuts a row at a gap of max_gap, and of five samples at least.
-  const UnseenShare unseen = unseenShare(*scanned.cloud, rows, scanned.no_returns,
-                                         std::max(scan_options.cloud.filter.max_gap, 5.0 * rows.spacing));
+  const double shortest_gap = std::max(scan_options.cloud.filter.max_gap, 5.0 * rows.spacing);
+  const UnseenShare unseen = unseenShare(*scanned.cloud, rows, scanned.no_returns, shortest_gap);
   stage.accuracy.push_back({"unseen_share", unseen.sum(), "1", limits.max_unseen_share});
   if (const auto note = unseenNote(unseen, limits.note_unseen_share)) stage.notes.push_back(*note);
+  if (const auto note = blindSpotNote(blindSpots(rows, shortest_gap))) stage.notes.push_back(*note);
   return stage;
 }
 

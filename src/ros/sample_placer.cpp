@@ -131,10 +131,6 @@ void SamplePlacer::placeWaiting() {
 ros::Time SamplePlacer::followed() const { return acknowledged_ + ros::Duration(options_.clock_offset); }
 
 SamplePlacer::Outcome SamplePlacer::place(const Sample& sample) {
-  if (std::isnan(sample.range)) {  // REP 117
-    leaveOut(sample, "sensor fault");
-    return Outcome::done;
-  }
   using Reach = TransformHistory::Reach;
   const ros::Time stamp = sample.stamp + ros::Duration(options_.clock_offset);
   switch (transforms_.reach(stamp)) {
@@ -167,7 +163,7 @@ void SamplePlacer::addSample(const Sample& sample, const ros::Time& stamp) {
       return;
     }
     const Vector3 far_end = T.translation() + options_.range_max * T.linear().col(2);
-    no_returns_.push_back({far_end.cast<float>(), sample.range < 0.0});
+    no_returns_.push_back({far_end.cast<float>(), std::isnan(sample.range) || sample.range < 0.0});
     leaveOut(sample, no_return);
   } catch (const tf2::TransformException&) {
     leaveOut(sample, "no transform");
@@ -185,8 +181,10 @@ void SamplePlacer::addPoint(const Sample& sample, const Frame& T_base_sensor) {
   beam_sum_ += beam;
 }
 
-/// A beam without a return is none wherever it went: that is the reason for which there is no point of it.
+/// A beam without a return, or a fault (REP 117), is none wherever it went: that is the reason for which there is no
+/// point of it.
 void SamplePlacer::leaveOut(const Sample& sample, const char* reason) {
+  if (std::isnan(sample.range)) reason = "sensor fault";
   core::scan::addDropped(dropped_, std::isinf(sample.range) ? no_return : reason, 1);
 }
 

@@ -81,15 +81,17 @@ void checkLimits(const Placement& placement, const robot::JointVector& angles, s
   checkCoupledAxis(placement, angles, sample);
 }
 
-/// Adds where a beam without a return ends, as far as the joints at its time are known.
+/// Adds where a beam without a return ends, as far as the joints at its time are known. A fault hides whatever is
+/// there, be it too near.
 void addNoReturn(const Placement& placement, std::size_t sample, std::size_t& cursor, Block& block) {
   robot::JointVector angles(placement.robot.dof());
   const double time = placement.log.sensor_time[sample] + placement.clock_offset;
   if (placement.readings.anglesAt(time, cursor, angles) != JointReadings::Status::found) return;
   const Frame T_base_tip = robot::forwardKinematics(placement.robot, angles);
   const Vector3 far_end_tip = placement.origin_tip + measuringRange(placement.laser).farthest * placement.beam_tip;
+  const double voltage = placement.log.voltage[sample];
   block.no_returns.push_back(
-      {(T_base_tip * far_end_tip).cast<float>(), isTooNear(placement.laser, placement.log.voltage[sample])});
+      {(T_base_tip * far_end_tip).cast<float>(), std::isnan(voltage) || isTooNear(placement.laser, voltage)});
 }
 
 void placeBlock(const Placement& placement, std::size_t begin, std::size_t end, scan::ScanPoint* points, Block& block) {
@@ -99,9 +101,8 @@ void placeBlock(const Placement& placement, std::size_t begin, std::size_t end, 
   for (std::size_t i = begin; i < end; ++i) {
     const auto distance = distanceFromVoltage(placement.laser, log.voltage[i]);
     if (!distance) {
-      const bool is_fault = std::isnan(log.voltage[i]);
-      ++block.dropped[is_fault ? sensor_fault : no_return];
-      if (!is_fault) addNoReturn(placement, i, cursor, block);
+      ++block.dropped[std::isnan(log.voltage[i]) ? sensor_fault : no_return];
+      addNoReturn(placement, i, cursor, block);
       continue;
     }
     const auto status = placement.readings.anglesAt(log.sensor_time[i] + placement.clock_offset, cursor, angles);

@@ -41,6 +41,27 @@ TEST(Stages, ASampleLogAndItsCloudGiveTheSameFit) {
   }
 }
 
+/// What stands in the tool's way higher than 50 mm over the part: 5 mm less than the sensor's nearest.
+std::size_t highObstacles(const scan::SampleLog& log) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  const FitStage fit = fitStage(scanFromSamples(log, cell, {}, {}, 1, {}), {}, {}, {}, 1, {});
+  return static_cast<std::size_t>(std::count_if(fit.scan.obstacles.begin(), fit.scan.obstacles.end(),
+                                                [](const auto& point) { return point.z() > 0.05F; }));
+}
+
+// A fault may hide something as high as the sensor. Single ones, 50 samples or 2.5 mm apart, are errors of the
+// sensor's.
+TEST(Stages, FaultsInAGroupStandInTheWay) {
+  const auto log = smallScan();
+  auto single = log, group = log;
+  for (std::size_t i = 0; i < log.voltage.size(); i += 50) single.voltage[i] = std::nan("");
+  std::fill_n(group.voltage.begin() + static_cast<std::ptrdiff_t>(log.voltage.size() / 2), 160, std::nan(""));
+  EXPECT_EQ(highObstacles(log), 0U);
+  EXPECT_EQ(highObstacles(single), 0U);
+  // 8 mm at one point every scan::obstacle_spacing or closer.
+  EXPECT_GE(highObstacles(group), 8U);
+}
+
 TEST(Stages, AnAssumedViewingDirectionIsNoted) {
   const Cell cell = makeCell(CellOptions(), source_package);
   const ScanStage samples = scanFromSamples(smallScan(), cell, {}, {}, 1, {});

@@ -247,7 +247,10 @@ TEST(PlaceSamples, DroppedSamplesAreCountedByReason) {
   const PlacedScan scan = cell.place(log);
   EXPECT_EQ(scan.samples_in, log.voltage.size());
   EXPECT_EQ(droppedFor(scan, "no return"), 2U);
-  EXPECT_EQ(scan.no_returns.beams.size(), 2U);
+  ASSERT_EQ(scan.no_returns.beams.size(), 3U);
+  EXPECT_TRUE(scan.no_returns.beams[0].is_too_near);  // for all that a fault says
+  EXPECT_FALSE(scan.no_returns.beams[1].is_too_near);
+  EXPECT_TRUE(scan.no_returns.beams[2].is_too_near);
   EXPECT_EQ(droppedFor(scan, "sensor fault"), 1U);
   EXPECT_EQ(droppedFor(scan, "no joint reading"), 13U);
   EXPECT_EQ(droppedFor(scan, "joint readings too far apart"), 100U);

@@ -11,7 +11,9 @@ namespace scan_to_path::scan {
 /// A beam that came back from nowhere within the sensor's range.
 struct NoReturn {
   Eigen::Vector3f far_end = Eigen::Vector3f::Zero();  ///< of the range on the beam, in the scan cloud's frame [m]
-  bool is_too_near = false;  ///< as the voltage says; without: too far, nothing there, or a sensor that does not tell
+  /// As the voltage says, or a sensor fault, which may hide anything; else too far, nothing there, or a sensor that
+  /// does not tell.
+  bool is_too_near = false;
 };
 
 /// The beams of a scan without a return, in the order in which they were measured.

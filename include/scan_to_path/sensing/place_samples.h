@@ -49,7 +49,7 @@ struct PlacedScan {
   Vector3 mean_beam = -Vector3::UnitZ();  ///< unit, the mean viewing direction in base_link
   std::size_t samples_in = 0;
   std::vector<scan::Dropped> dropped;  ///< "no return", "sensor fault", "no joint reading", …
-  scan::NoReturns no_returns;          ///< of the samples without a return those whose joints are known
+  scan::NoReturns no_returns;          ///< of the samples without a return and the faults those whose joints are known
   UnseenJumps unseen_jumps;            ///< none when jumps are not looked for
   std::size_t times_repeated = 1;      ///< how often the log repeats each joint reading
 };
