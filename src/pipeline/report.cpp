@@ -103,6 +103,20 @@ Json leftOutJson(const LeftOut& left_out) {
   return entry;
 }
 
+Json boxJson(const Eigen::AlignedBox3d& box) {
+  Json corners = Json::object();
+  for (const auto& [name, corner] : {std::pair("min", box.min()), std::pair("max", box.max())}) {
+    corners[name] = {number(corner.x()), number(corner.y()), number(corner.z())};
+  }
+  return corners;
+}
+
+/// null without contacts.
+Json placeJson(const PathPlace& place) {
+  if (place.isEmpty()) return nullptr;
+  return {{"frame", place.frame}, {"box", boxJson(place.in_frame)}, {"work_object", boxJson(place.in_work_object)}};
+}
+
 Json versionsJson() {
   return {{"scan_to_path", version},
           {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
@@ -154,6 +168,7 @@ std::string formatReport(const Report& report, const std::vector<FieldReference>
                      {"stages", stages},
                      {"accuracy", accuracyJson(report.accuracy)},
                      {"notes", report.notes},
+                     {"place", placeJson(report.place)},
                      {"waypoints", waypoints},
                      {"left_out", left_out},
                      {"summary", summary}};

@@ -142,6 +142,7 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
                        {"surface_residual_rms", "surface to RMS"},
                        {"between_rows_rms", "between rows RMS"}}));
   add(lines, "path", pathText(report));
+  add(lines, "place", placeText(report.place));
   add(lines, "uncovered", uncoveredText(report));
   add(lines, "reference",
       figures(report, {{"reference_path_rms", "path off it RMS"},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scan_to_path/pipeline/configuration.h"
+#include "scan_to_path/pipeline/path_place.h"
 #include "scan_to_path/scan/fitted_scan.h"
 #include "scan_to_path/toolpath/tool_path.h"
 #include "scan_to_path/toolpath/verdict.h"
@@ -74,6 +75,7 @@ struct Report {
   std::uint64_t seed = 0;
   std::vector<StageReport> stages;
   std::vector<Accuracy> accuracy;
+  PathPlace place;                 ///< of the path that is driven
   std::vector<LeftOut> left_out;   ///< of a partial path, in the planned path's order; empty: all is driven
   double left_out_share = 0.0;     ///< of the planned cutting length
   std::vector<std::string> notes;  ///< what the user should know and no figure says
