@@ -23,7 +23,8 @@ void checkVector(const char* name, const char* unit, const Vector3& value, doubl
 
 /// The program's own names begin like these; a user's name must not.
 bool isOwnName(const std::string& lower) {
-  static const std::set<std::string> own = {"checkrobot", "start_axes", "start_pose", "dry_run", "scantopath"};
+  static const std::set<std::string> own = {"checkrobot", "start_axes", "start_pose", "dry_run",
+                                            "scantopath", "here",       "turn"};
   for (const char* prefix : {"part_", "feed_", "zone_", "scantopath_"}) {
     if (lower.rfind(prefix, 0) == 0) return true;
   }
