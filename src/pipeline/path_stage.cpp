@@ -3,6 +3,7 @@
 #include "scan_to_path/pipeline/path_stage.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
@@ -16,7 +17,10 @@ namespace {
 void addSurfaceTolerances(const scan::FittedScan& scan, const ReportOptions& limits, std::vector<Accuracy>& accuracy) {
   accuracy.push_back(
       {"path_surface_residual_rms", scan.surface_rms, "m", limitUnlessZero(limits.max_surface_residual)});
-  accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limitUnlessZero(limits.max_between_rows)});
+  const std::optional<double> limit = limitUnlessZero(limits.max_between_rows);
+  accuracy.push_back({"path_between_rows_rms", scan.between_rows_rms, "m", limit});
+  accuracy.push_back({"between_rows_unknown", 1.0 - scan.between_rows_share, "1",
+                      limit ? std::optional(limits.max_between_rows_unknown) : std::nullopt});
 }
 
 /// Rows of the scan, and those of a given pitch, lie where they were asked for, whatever they leave.
@@ -34,6 +38,12 @@ void noteSurface(PathStage& stage) {
     stage.notes.push_back(
         "the part is finer than the scan's rows: scan at a smaller pitch, or machine the scanned rows "
         "alone with --set path.row_source=scan_lines");
+  }
+  if (fails(stage.accuracy, "between_rows_unknown")) {
+    stage.notes.push_back(
+        "where fewer than five rows pass nothing is known of the part between them: scan at least five rows over every "
+        "part of it, machine the scanned rows alone with --set path.row_source=scan_lines, or take it as it is with "
+        "--set report.max_between_rows=0");
   }
 }
 

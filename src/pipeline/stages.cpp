@@ -171,6 +171,7 @@ FitStage fitStage(const ScanStage& scanned, const ScanSection& scan_options, con
   }
   stage.accuracy.push_back({"between_rows_rms", scan.between_rows_rms, "m"});
   stage.accuracy.push_back({"between_rows_largest", scan.between_rows_largest, "m"});
+  stage.accuracy.push_back({"between_rows_share", scan.between_rows_share, "1"});
   std::vector<scan::Dropped> dropped = scanned.report.dropped;
   dropped.insert(dropped.end(), scan.dropped.begin(), scan.dropped.end());
   const BackgroundFindings background = backgroundFindings(stage.scan, rows, scan_options.cloud.background);

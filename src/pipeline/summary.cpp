@@ -19,17 +19,27 @@ const Accuracy* find(const Report& report, const std::string& name) {
   return found == report.accuracy.end() ? nullptr : &*found;
 }
 
-/// A figure in the unit in which people speak of it.
-std::string shown(double value, const std::string& unit) {
-  if (unit == "m" && std::abs(value) < 1e-8) return fixed(1e9 * value, 2) + " nm";
-  if (unit == "m" && std::abs(value) < 1e-4) return fixed(1e6 * value, 2) + " um";
-  if (unit == "m" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " mm";
-  if (unit == "m") return fixed(value, 3) + " m";
-  if (unit == "m^2") return fixed(1e6 * value, 1) + " mm^2";
-  if (unit == "rad") return fixed(value * 180.0 / M_PI, std::abs(value) < 1e-6 ? 9 : 5) + " deg";
-  if (unit == "s" && std::abs(value) < 1.0) return fixed(1e3 * value, 3) + " ms";
-  if (unit == "s") return fixed(value, 1) + " s";
-  return fixed(value, value == std::floor(value) ? 0 : 4);
+/// A figure in the unit in which people speak of it, with so many digits more than they care for.
+std::string shown(double value, const std::string& unit, int more = 0) {
+  if (unit == "m" && std::abs(value) < 1e-8) return fixed(1e9 * value, 2 + more) + " nm";
+  if (unit == "m" && std::abs(value) < 1e-4) return fixed(1e6 * value, 2 + more) + " um";
+  if (unit == "m" && std::abs(value) < 1.0) return fixed(1e3 * value, 3 + more) + " mm";
+  if (unit == "m") return fixed(value, 3 + more) + " m";
+  if (unit == "m^2") return fixed(1e6 * value, 1 + more) + " mm^2";
+  if (unit == "rad") return fixed(value * 180.0 / M_PI, (std::abs(value) < 1e-6 ? 9 : 5) + more) + " deg";
+  if (unit == "s" && std::abs(value) < 1.0) return fixed(1e3 * value, 3 + more) + " ms";
+  if (unit == "s") return fixed(value, 1 + more) + " s";
+  return fixed(value, value == std::floor(value) ? 0 : 4 + more);
+}
+
+/// A figure that fails and its limit, with digits enough to tell one from the other.
+std::string failureText(const Accuracy& figure) {
+  constexpr int most_digits = 12;
+  int more = 0;
+  while (more < most_digits && shown(figure.value, figure.unit, more) == shown(*figure.limit, figure.unit, more))
+    ++more;
+  return figure.name + " is " + shown(figure.value, figure.unit, more) + ", limit " +
+         shown(*figure.limit, figure.unit, more);
 }
 
 /// "text value" for the figures that are there, separated by commas.
@@ -57,8 +67,7 @@ void addFailures(std::vector<std::string>& lines, const Report& report, const to
                  const std::vector<toolpath::WaypointVerdict>& verdicts) {
   for (const auto& figure : report.accuracy) {
     if (figure.pass()) continue;
-    add(lines, "FAILED",
-        figure.name + " is " + shown(figure.value, figure.unit) + ", limit " + shown(*figure.limit, figure.unit));
+    add(lines, "FAILED", failureText(figure));
   }
   std::map<toolpath::Verdict, std::size_t> failed;
   std::size_t listed = 0;
@@ -115,6 +124,20 @@ std::string uncoveredText(const Report& report) {
   return shown(area->value, area->unit) + ", " + fixed(100.0 * share->value, 2) + " % of the part's outline";
 }
 
+/// How well lines and surface hold the samples, and how much of the rows the figure between them covers.
+std::string accuracyText(const Report& report) {
+  std::string text = figures(
+      report,
+      {{"line_residual_rms", "lines fit to RMS"}, {"line_noise", "noise"}, {"surface_residual_rms", "surface to RMS"}});
+  const Accuracy* share = find(report, "between_rows_share");
+  const double covered = share == nullptr ? 1.0 : share->value;
+  if (covered <= 0.0) return text + ", between rows unknown";
+  const std::string between = figures(report, {{"between_rows_rms", "between rows RMS"}});
+  if (!between.empty()) text += (text.empty() ? "" : ", ") + between;
+  if (covered < 1.0) text += " (over " + fixed(100.0 * covered, 1) + " % of them)";
+  return text;
+}
+
 /// What was planned and, of a partial path, the share of it that is not driven.
 std::string pathText(const Report& report) {
   std::string text = figures(report, {{"path_rows", "rows"},
@@ -136,11 +159,7 @@ std::vector<std::string> summarise(const Report& report, const toolpath::ToolPat
   }
   add(lines, "clocks",
       figures(report, {{"clock_offset", "sensor against encoders"}, {"clock_offset_standard_error", "+-"}}));
-  add(lines, "accuracy",
-      figures(report, {{"line_residual_rms", "lines fit to RMS"},
-                       {"line_noise", "noise"},
-                       {"surface_residual_rms", "surface to RMS"},
-                       {"between_rows_rms", "between rows RMS"}}));
+  add(lines, "accuracy", accuracyText(report));
   add(lines, "path", pathText(report));
   add(lines, "place", placeText(report.place));
   add(lines, "uncovered", uncoveredText(report));

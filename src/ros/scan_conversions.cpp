@@ -152,6 +152,7 @@ core::FittedScan toMsg(const core::pipeline::FitStage& stage, const std_msgs::He
   msg.surface_rms = scan.surface_rms;
   msg.between_rows_rms = scan.between_rows_rms;
   msg.between_rows_largest = scan.between_rows_largest;
+  msg.between_rows_share = scan.between_rows_share;
   return msg;
 }
 
@@ -177,6 +178,7 @@ core::pipeline::FitStage fromMsg(const core::FittedScan& msg) {
   scan.surface_rms = msg.surface_rms;
   scan.between_rows_rms = msg.between_rows_rms;
   scan.between_rows_largest = msg.between_rows_largest;
+  scan.between_rows_share = msg.between_rows_share;
   return stage;
 }
 

@@ -42,10 +42,21 @@ public:
     return point.z() - cubicThrough(around, point.y());
   }
 
+  /// Whether this row is one of five neighbouring ones that pass x, so that they say something about its surroundings.
+  bool isCovered(double x) {
+    int rows = 1;
+    for (const int way : {-1, 1}) {
+      for (int step = way; std::abs(step) < stencil && neighbours_.lineAt(step, x); step += way) ++rows;
+    }
+    return rows >= stencil;
+  }
+
   /// dz/dy between the next rows; of the last error with k = 1.
   double slope() const { return slope_; }
 
 private:
+  static constexpr int stencil = 5;
+  static_assert(stencil - 1 <= RowNeighbours::reach);
   RowNeighbours neighbours_;
   double slope_ = 0.0;
 };
@@ -66,6 +77,8 @@ BetweenRows estimateBetweenRows(const FittedScan& scan) {
   if (!(scan.pitch > 0.0)) return result;
   const ScanTables tables = makeTables(scan);
   double squares = 0.0;
+  std::size_t looked_at = 0;
+  std::size_t covered = 0;
   for (std::size_t i = 0; i < tables.lines.size(); ++i) {
     const LineTable& line = tables.lines[i];
     RowPrediction prediction(tables, scan.lines[i].row);
@@ -75,6 +88,8 @@ BetweenRows estimateBetweenRows(const FittedScan& scan) {
     for (std::size_t k = 0; k < count; ++k) {
       const double x = line.xBegin() + (static_cast<double>(k) + 0.5) * 0.25 * scan.pitch;
       const Vector3 point = line.pointAtX(x, u, hint);
+      ++looked_at;
+      if (prediction.isCovered(x)) ++covered;
       const std::optional<double> own = prediction.error(point, 1);
       if (!own) continue;
       const Vector3 along = line.jet(u, hint).first;
@@ -86,6 +101,7 @@ BetweenRows estimateBetweenRows(const FittedScan& scan) {
       ++result.points;
     }
   }
+  if (looked_at > 0) result.share = static_cast<double>(covered) / static_cast<double>(looked_at);
   if (result.points > 0) result.rms = std::sqrt(squares / static_cast<double>(result.points));
   return result;
 }

@@ -58,6 +58,7 @@ FittedScan fitRows(const SampleRows& rows, const FitOptions& options, int thread
   const BetweenRows between = estimateBetweenRows(scan);
   scan.between_rows_rms = between.rms;
   scan.between_rows_largest = between.largest;
+  scan.between_rows_share = between.share;
   progress.update("outline", 0.6);
   scan.outline = traceOutline(rows);
   Obstacles obstacles = rows.obstacles;

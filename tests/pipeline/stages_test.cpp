@@ -13,10 +13,12 @@
 
 #include "scan_to_path/scan/cloud_io.h"
 #include "small_scan.h"
+#include "support/fitted_scans.h"
 
 namespace scan_to_path::pipeline {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 const Accuracy& figure(const std::vector<Accuracy>& figures, const std::string& name) {
@@ -179,6 +181,42 @@ TEST(Stages, OnlyRowsOnTheSurfaceAnswerForIt) {
   fit.scan.surface_rms = 1e-4;
   EXPECT_EQ(failures(process::RowSource::surface), 2);
   EXPECT_EQ(failures(process::RowSource::scan_lines), 0);
+}
+
+// Two lines 100 mm apart, then four: the surface between them is a guess, however well it holds the samples.
+TEST(Stages, RowsOnTheSurfaceNeedFiveRowsOfTheScan) {
+  const auto planned = [](int rows, const JobOptions& options) {
+    const geometry::Rectangle square = {0.0, 0.1, 0.0, 0.1};
+    const auto scan = test::fittedScan([](double, double) { return 0.01; }, square, 0.1 / (rows - 1), 8, 8);
+    return pathStage(*makePlanner("cutting", options), scan, "base_link", options, {});
+  };
+  JobOptions options;
+  for (const int rows : {2, 4}) {
+    const PathStage few = planned(rows, options);
+    EXPECT_TRUE(fails(few.accuracy, "between_rows_unknown"));
+    EXPECT_EQ(figure(few.accuracy, "between_rows_unknown").value, 1.0);
+    EXPECT_THAT(few.notes, Contains(HasSubstr("scan at least five rows over every part of it")));
+  }
+  EXPECT_FALSE(fails(planned(5, options).accuracy, "between_rows_unknown"));
+  options.report.max_between_rows = 0.0;
+  EXPECT_FALSE(fails(planned(4, options).accuracy, "between_rows_unknown"));
+  options = {};
+  options.report.max_between_rows_unknown = 1.0;
+  EXPECT_FALSE(fails(planned(4, options).accuracy, "between_rows_unknown"));
+}
+
+// A twentieth may be a narrow tongue or what lies beside a hole.
+TEST(Stages, MuchThatIsUnknownBetweenRowsFails) {
+  const Cell cell = makeCell(CellOptions(), source_package);
+  FitStage fit = fitStage(scanFromSamples(smallScan(), cell, {}, {}, 1, {}), {}, {}, {}, 1, {});
+  EXPECT_EQ(figure(fit.accuracy, "between_rows_share").value, 1.0);
+  const auto isFailing = [&](double share) {
+    fit.scan.between_rows_share = share;
+    const PathStage path = pathStage(*makePlanner("cutting", {}), fit.scan, "base_link", {}, {});
+    return fails(path.accuracy, "between_rows_unknown");
+  };
+  EXPECT_FALSE(isFailing(0.951));
+  EXPECT_TRUE(isFailing(0.949));
 }
 
 TEST(Stages, FindingsOfThePathOutrankTheMotions) {

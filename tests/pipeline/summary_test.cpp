@@ -8,6 +8,7 @@ namespace scan_to_path::pipeline {
 namespace {
 
 using ::testing::Contains;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -24,6 +25,24 @@ TEST(Summary, ShowsFiguresInUnitsPeopleUse) {
   EXPECT_THAT(lines, Contains(HasSubstr("4.000 mm")));
   EXPECT_THAT(lines, Contains(HasSubstr("0.00057 deg")));
   EXPECT_THAT(lines, Not(Contains(HasSubstr("FAILED"))));
+}
+
+TEST(Summary, SaysHowMuchOfTheRowsItKnows) {
+  Report report;
+  report.accuracy = {{"line_noise", 2e-6, "m"}, {"between_rows_rms", 3e-6, "m"}, {"between_rows_share", 1.0, "1"}};
+  EXPECT_THAT(summarise(report, {}, {}), Contains(EndsWith("noise 2.00 um, between rows RMS 3.00 um")));
+  report.accuracy[2].value = 0.975;
+  EXPECT_THAT(summarise(report, {}, {}), Contains(EndsWith("between rows RMS 3.00 um (over 97.5 % of them)")));
+  report.accuracy[2].value = 0.0;
+  EXPECT_THAT(summarise(report, {}, {}), Contains(EndsWith("noise 2.00 um, between rows unknown")));
+}
+
+TEST(Summary, TellsAFigureFromItsLimit) {
+  Report report;
+  report.accuracy = {{"path_scallop", 1.00007e-4, "m", 1e-4}, {"share", 0.05000004, "1", 0.05}};
+  const auto lines = summarise(report, {}, {});
+  EXPECT_THAT(lines, Contains(EndsWith("path_scallop is 0.10001 mm, limit 0.10000 mm")));
+  EXPECT_THAT(lines, Contains(EndsWith("share is 0.05000004, limit 0.05000000")));
 }
 
 TEST(Summary, NamesWhatFailsAndCountsTheRest) {

@@ -175,6 +175,7 @@ TEST(Conversions, FittedScanIsTheSameToTheLastBit) {
   EXPECT_EQ(back.scan.surface_rms, fit.scan.surface_rms);
   EXPECT_EQ(back.scan.between_rows_rms, fit.scan.between_rows_rms);
   EXPECT_EQ(back.scan.between_rows_largest, fit.scan.between_rows_largest);
+  EXPECT_EQ(back.scan.between_rows_share, fit.scan.between_rows_share);
   EXPECT_EQ(back.scan.dropped.size(), fit.scan.dropped.size());
   EXPECT_EQ(back.notes, fit.notes);
   expectSame(back.report, fit.report);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -67,6 +68,24 @@ TEST(BetweenRows, FewerThanFiveRowsSayNothing) {
   const BetweenRows between = estimateBetweenRows(rowsOver([](double y) { return y; }, 4));
   EXPECT_EQ(between.points, 0U);
   EXPECT_EQ(between.rms, 0.0);
+  EXPECT_EQ(between.share, 0.0);
+  EXPECT_EQ(estimateBetweenRows(rowsOver([](double y) { return y; }, 5)).share, 1.0);
+}
+
+// Rows `first` to 40 go on for half their length again: fewer than five of them say nothing about that part.
+TEST(BetweenRows, SayWhichShareTheyCover) {
+  const auto shareWithTongue = [](int first) {
+    FittedScan scan = rowsOver([](double y) { return y; });
+    for (int r = first; r < 41; ++r) {
+      FittedLine line = scan.lines[static_cast<std::size_t>(r)];
+      for (Vector3& p : line.curve.control_points) p.x() = 0.1 + 0.5 * p.x();
+      scan.lines.push_back(line);
+    }
+    std::stable_sort(scan.lines.begin(), scan.lines.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
+    return estimateBetweenRows(scan).share;
+  };
+  EXPECT_NEAR(shareWithTongue(37), 41.0 / (41.0 + 4 * 0.5), 1e-3);  // points lie a millimetre apart on 0.1 m
+  EXPECT_EQ(shareWithTongue(36), 1.0);
 }
 
 }  // namespace

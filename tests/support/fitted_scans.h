@@ -8,6 +8,7 @@
 
 #include "scan_to_path/geometry/height_field.h"
 #include "scan_to_path/nurbs/knot_vector.h"
+#include "scan_to_path/scan/between_rows.h"
 #include "scan_to_path/scan/fitted_scan.h"
 
 namespace scan_to_path::test {
@@ -91,6 +92,7 @@ inline scan::FittedScan fittedScan(const Height& f, const geometry::Rectangle& a
     line.end = area.x_max;
     scan.lines.push_back(std::move(line));
   }
+  scan.between_rows_share = scan::estimateBetweenRows(scan).share;
   return scan;
 }
 

@@ -43,6 +43,7 @@ struct ReportOptions {
   double max_line_residual = 1e-4;
   double max_surface_residual = 5e-5;
   double max_between_rows = 5e-5;
+  double max_between_rows_unknown = 0.05;
   double max_unseen_share = 0.05;
   double note_unseen_share = 0.01;
   double max_reference_path = 2e-4;
@@ -72,6 +73,11 @@ struct ReportOptions {
                                        "RMS of what may be off between scan rows, for rows on the surface; scan finer, "
                                        "or use path.row_source scan_lines; 0: no limit",
                                        0.0, 1.0});
+    visit(self.max_between_rows_unknown,
+          Field{"max_between_rows_unknown", "",
+                "share of the rows' length that may lie where fewer than five rows pass, so that max_between_rows says "
+                "nothing of it",
+                0.0, 1.0});
     visit(
         self.max_unseen_share,
         Field{"max_unseen_share", "",

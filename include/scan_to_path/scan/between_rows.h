@@ -13,6 +13,7 @@ struct BetweenRows {
   double rms = 0.0;
   double largest = 0.0;
   std::size_t points = 0;  ///< compared; 0: fewer than five rows pass anywhere, nothing is known
+  double share = 0.0;      ///< of the rows' length that lies in five neighbouring rows at the same x, which this covers
 };
 
 /// Each row against the cubic through the two rows on both sides of it at the same x, every quarter of a pitch.

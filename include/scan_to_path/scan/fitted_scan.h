@@ -73,6 +73,7 @@ struct FittedScan {
   double surface_rms = 0.0;           ///< of the samples off the surface along the beam [m]
   double between_rows_rms = 0.0;      ///< what the rows leave unknown between them: see BetweenRows [m]
   double between_rows_largest = 0.0;  ///< [m]
+  double between_rows_share = 0.0;    ///< of the rows' length that both cover
 };
 
 }  // namespace scan_to_path::scan
