@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/process/row_scallop.h"
@@ -39,10 +40,16 @@ void forEachRow(const std::vector<Row>& pieces, Take take) {
   }
 }
 
+std::vector<Row> rowOf(const std::vector<Row>& pieces, int number) {
+  std::vector<Row> row;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(row), [&](const Row& r) { return r.row == number; });
+  return row;
+}
+
 }  // namespace
 
-RowPlan planOf(const std::vector<Row>& pieces, const std::vector<int>& numbers, const Eigen::Vector2d& across,
-               const toolpath::ScanSurface& surface, double ball_radius) {
+RowPlan planOf(const std::vector<Row>& pieces, const std::vector<int>& numbers, const std::vector<Row>& whole,
+               const Eigen::Vector2d& across, const toolpath::ScanSurface& surface, double ball_radius) {
   RowPlan plan;
   plan.last_row = numbers.back();
   std::vector<Row> before;
@@ -53,7 +60,9 @@ RowPlan planOf(const std::vector<Row>& pieces, const std::vector<int>& numbers, 
     place = std::lower_bound(place, numbers.end(), number);
     if (!before.empty() && *(place - 1) == before.front().row) {
       plan.distances.push_back(std::abs(meanAcross(row, across) - meanAcross(before, across)));
-      const double scallop = widestScallop(before, row, surface, ball_radius).value_or(0.0);
+      const double scallop =
+          widestScallopOfCut(before, row, rowOf(whole, before.front().row), rowOf(whole, number), surface, ball_radius)
+              .value_or(0.0);
       checkThatBallsMeet(scallop, number, ball_radius);
       plan.widest_scallop = std::max(plan.widest_scallop, scallop);
     }

@@ -9,6 +9,7 @@
 
 #include "scan_to_path/common/error.h"
 #include "scan_to_path/common/text.h"
+#include "scan_to_path/toolpath/outline_clip.h"
 
 namespace scan_to_path::process {
 namespace {
@@ -113,24 +114,45 @@ std::optional<double> cuspHeight(CentreLine& a, CentreLine& b, double t, const S
   return heightOver(surface, *cusp);
 }
 
-}  // namespace
+/// A row's waypoints and the middles between them [m].
+std::vector<double> placesLookedAt(const Row& row) {
+  std::vector<double> places;
+  for (std::size_t i = 0; i < row.points.size(); ++i) {
+    if (i > 0) places.push_back(0.5 * (row.points[i - 1].t + row.points[i].t));
+    places.push_back(row.points[i].t);
+  }
+  return places;
+}
 
-std::optional<double> widestScallop(const Row& a, const Row& b, const ScanSurface& surface, double ball_radius) {
+/// Of rows a and b at the places between which `where` lies, and at those inside.
+std::optional<double> widestWithin(const Row& a, const Row& b, const toolpath::Interval& where,
+                                   const ScanSurface& surface, double ball_radius) {
   CentreLine line_a(a, ball_radius);
   CentreLine line_b(b, ball_radius);
   const double begin = std::max(line_a.firstT(), line_b.firstT());
   const double end = std::min(line_a.lastT(), line_b.lastT());
   std::optional<double> widest;
-  const auto look = [&](double t) {
-    if (t < begin || t > end) return;
+  const std::vector<double> places = placesLookedAt(a);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double t = places[i];
+    const double before = i > 0 ? places[i - 1] : t;
+    const double after = i + 1 < places.size() ? places[i + 1] : t;
+    if (t < begin || t > end || after < where.begin || before > where.end) continue;
     const auto height = cuspHeight(line_a, line_b, t, surface, ball_radius);
     if (height) widest = std::max(widest.value_or(*height), *height);
-  };
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    if (i > 0) look(0.5 * (a.points[i - 1].t + a.points[i].t));
-    look(a.points[i].t);
   }
   return widest;
+}
+
+/// Whether `piece` can have been cut out of `row`.
+bool holds(const Row& row, const Row& piece) {
+  return row.points.front().t <= piece.points.front().t && piece.points.back().t <= row.points.back().t;
+}
+
+}  // namespace
+
+std::optional<double> widestScallop(const Row& a, const Row& b, const ScanSurface& surface, double ball_radius) {
+  return widestWithin(a, b, {a.points.front().t, a.points.back().t}, surface, ball_radius);
 }
 
 std::optional<double> widestScallop(const std::vector<Row>& a, const std::vector<Row>& b, const ScanSurface& surface,
@@ -140,6 +162,28 @@ std::optional<double> widestScallop(const std::vector<Row>& a, const std::vector
     for (const Row& row_b : b) {
       const auto height = widestScallop(row_a, row_b, surface, ball_radius);
       if (height) widest = std::max(widest.value_or(*height), *height);
+    }
+  }
+  return widest;
+}
+
+std::optional<double> widestScallopOfCut(const std::vector<Row>& a, const std::vector<Row>& b,
+                                         const std::vector<Row>& whole_a, const std::vector<Row>& whole_b,
+                                         const ScanSurface& surface, double ball_radius) {
+  std::optional<double> widest;
+  for (const Row& piece_a : a) {
+    for (const Row& piece_b : b) {
+      const toolpath::Interval both = {std::max(piece_a.points.front().t, piece_b.points.front().t),
+                                       std::min(piece_a.points.back().t, piece_b.points.back().t)};
+      if (!(both.begin <= both.end)) continue;
+      for (const Row& row_a : whole_a) {
+        if (!holds(row_a, piece_a)) continue;
+        for (const Row& row_b : whole_b) {
+          if (!holds(row_b, piece_b)) continue;
+          const auto height = widestWithin(row_a, row_b, both, surface, ball_radius);
+          if (height) widest = std::max(widest.value_or(*height), *height);
+        }
+      }
     }
   }
   return widest;

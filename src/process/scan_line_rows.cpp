@@ -115,7 +115,7 @@ RowPlan scanLineRows(const scan::FittedScan& scan, const CuttingOptions& options
     throw InputError("cutting: none of " + std::to_string(scan.lines.size()) +
                      " fitted lines is longer than the edge margins");
   }
-  return planOf(withoutSkipped(pieces.rows, options.skip_rows), pieces.numbers, Eigen::Vector2d::UnitY(),
+  return planOf(withoutSkipped(pieces.rows, options.skip_rows), pieces.numbers, pieces.rows, Eigen::Vector2d::UnitY(),
                 toolpath::ScanSurface(scan.surface), options.ball_radius);
 }
 

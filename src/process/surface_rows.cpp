@@ -82,8 +82,8 @@ RowPlan chosenRows(const RowMaker& maker, const RowPlan& whole, const CuttingOpt
     if (numbers.empty() || numbers.back() != row.row) numbers.push_back(row.row);
     for (Row& piece : maker.inRegion(row, region)) pieces.push_back(std::move(piece));
   }
-  return planOf(withoutSkipped(std::move(pieces), options.skip_rows), numbers, maker.across(), maker.surface(),
-                options.ball_radius);
+  return planOf(withoutSkipped(std::move(pieces), options.skip_rows), numbers, whole.rows, maker.across(),
+                maker.surface(), options.ball_radius);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ Row straightRow(int number, double begin, double end) {
 }
 
 RowPlan plan(const std::vector<Row>& pieces, const std::vector<int>& numbers) {
-  return planOf(pieces, numbers, Eigen::Vector2d::UnitY(), toolpath::ScanSurface(test::flatPlate().surface),
+  return planOf(pieces, numbers, pieces, Eigen::Vector2d::UnitY(), toolpath::ScanSurface(test::flatPlate().surface),
                 plan_radius);
 }
 

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "scan_to_path/common/random.h"
+#include "scan_to_path/process/row_scallop.h"
 #include "scan_to_path/toolpath/scallop.h"
 #include "scan_to_path/toolpath/scan_surface.h"
 #include "support/expect_input_error.h"
@@ -197,6 +199,51 @@ TEST(SurfaceRows, RejectAnOutlineThatTheMarginEats) {
   scan::FittedScan scan = plane();
   scan.outline.polygons.clear();
   test::expectInputError([&] { surfaceRows(scan, {}); }, "no polygon");
+}
+
+/// A star-shaped polygon over the S part with 3 to 8 corners, in the order of their angles.
+std::vector<Eigen::Vector2d> randomPolygon(Random& random) {
+  const int corners = 3 + static_cast<int>(random.uniform(0.0, 6.0));
+  const Eigen::Vector2d centre(random.uniform(0.06, 0.18), random.uniform(0.05, 0.11));
+  std::vector<Eigen::Vector2d> polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * M_PI * (i + random.uniform(0.0, 0.8)) / corners;
+    polygon.push_back(centre + random.uniform(0.02, 0.12) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return polygon;
+}
+
+/// The widest scallop at the waypoints that are driven.
+double widestAtOwnWaypoints(const RowPlan& plan, const scan::FittedScan& scan, double ball_radius) {
+  const toolpath::ScanSurface surface(scan.surface);
+  double widest = 0.0;
+  for (const Row& a : plan.rows) {
+    for (const Row& b : plan.rows) {
+      if (b.row == a.row + 1) widest = std::max(widest, widestScallop(a, b, surface, ball_radius).value_or(0.0));
+    }
+  }
+  return widest;
+}
+
+// Rows that are cut get waypoints of their own, whose chords lie elsewhere within the chord tolerance; that does not
+// make rows too far apart that were placed on the whole part's waypoints.
+TEST(SurfaceRows, KeepTheScallopHeightInAnyRegion) {
+  const auto scan = test::fittedSPart();
+  CuttingOptions options;
+  options.chord_tolerance = 3e-5;  // coarse, so that chords tell
+  const double whole = surfaceRows(scan, options).widest_scallop;
+  Random random(5);
+  int over = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto polygon = randomPolygon(random);
+    const RowPlan plan = surfaceRows(scan, options, {}, toolpath::Region(polygon, geometry::Frame::Identity()));
+    EXPECT_LE(plan.widest_scallop, whole) << i;
+    EXPECT_GT(plan.widest_scallop, 0.5 * options.scallop_height) << i;
+    const double own = widestAtOwnWaypoints(plan, scan, options.ball_radius);
+    EXPECT_LE(own, options.scallop_height + options.chord_tolerance) << i;
+    over += own > whole ? 1 : 0;
+  }
+  EXPECT_GT(over, 0);  // twin: judged at their own waypoints, some leave more than the whole part's rows do anywhere
 }
 
 TEST(SurfaceRows, StopWhenAsked) {

@@ -12,9 +12,11 @@ namespace scan_to_path::process {
 
 /// The plan of rows given as pieces sorted by row: pieces numbered, and what lies between neighbours, which are rows
 /// whose numbers follow each other in `numbers`, the rising row numbers of the whole part. `across` [unit] is the
-/// rows' second axis in the scan plane. Throws InputError when balls of neighbouring rows do not meet.
-RowPlan planOf(const std::vector<Row>& pieces, const std::vector<int>& numbers, const Eigen::Vector2d& across,
-               const toolpath::ScanSurface& surface, double ball_radius);
+/// rows' second axis in the scan plane. `whole` [sorted by row]: the rows that the pieces were cut out of, whose own
+/// waypoints their scallops are judged at (widestScallopOfCut). Throws InputError when balls of neighbouring rows do
+/// not meet.
+RowPlan planOf(const std::vector<Row>& pieces, const std::vector<int>& numbers, const std::vector<Row>& whole,
+               const Eigen::Vector2d& across, const toolpath::ScanSurface& surface, double ball_radius);
 
 /// The pieces of rows that are driven when those named in `skip_rows` are not. Throws InputError when there is none to
 /// begin with, and when none is left.

@@ -20,6 +20,13 @@ std::optional<double> widestScallop(const Row& a, const Row& b, const toolpath::
 std::optional<double> widestScallop(const std::vector<Row>& a, const std::vector<Row>& b,
                                     const toolpath::ScanSurface& surface, double ball_radius);
 
+/// The same between pieces that were cut out of rows `whole_a` and `whole_b` and given waypoints of their own, judged
+/// at the waypoints of the whole rows where the pieces run side by side, and at those next to it. What whole rows keep,
+/// any pieces of them keep then; the moves of both lie within the same chord tolerance of the rows.
+std::optional<double> widestScallopOfCut(const std::vector<Row>& a, const std::vector<Row>& b,
+                                         const std::vector<Row>& whole_a, const std::vector<Row>& whole_b,
+                                         const toolpath::ScanSurface& surface, double ball_radius);
+
 /// Throws InputError when a scallop is infinite: rows so far apart leave a strip uncut. `row` is the second one's.
 void checkThatBallsMeet(double scallop, int row, double ball_radius);
 
