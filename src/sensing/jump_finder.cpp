@@ -74,15 +74,17 @@ double JumpFinder::slack(int coordinate, const ExplainedStep& explained) const {
   return stamp_error * explained.speed + limits_.resolution[static_cast<std::size_t>(coordinate)];
 }
 
-/// The common case, cheaply: the step is that of the speed before.
-bool JumpFinder::goesOn(const MotionStretch& stretch, std::size_t i, std::size_t stride, int coordinate) const {
+/// The common case, cheaply: the steps of all coordinates are those of the speed before.
+bool JumpFinder::goesOn(const MotionStretch& stretch, std::size_t i, std::size_t stride) const {
   if (i < stretch.runBegin(i) + 2 * stride) return false;
-  const double now = stretch.time(i) - stretch.time(i - stride);
-  const double before = stretch.time(i - stride) - stretch.time(i - 2 * stride);
-  const double middle = stretch.value(i - stride, coordinate);
-  const double change =
-      (stretch.value(i, coordinate) - middle) - (middle - stretch.value(i - 2 * stride, coordinate)) * now / before;
-  return std::abs(change) <= limits_.jump;
+  const auto &last = stretch.values(i), &middle = stretch.values(i - stride), &first = stretch.values(i - 2 * stride);
+  const double ratio =
+      (stretch.time(i) - stretch.time(i - stride)) / (stretch.time(i - stride) - stretch.time(i - 2 * stride));
+  double most = 0.0;
+  for (Eigen::Index k = 0; k < last.size(); ++k) {
+    most = std::max(most, std::abs((last[k] - middle[k]) - (middle[k] - first[k]) * ratio));
+  }
+  return most <= limits_.jump;
 }
 
 /// The readings around the step from i - stride to i, by their stamps or as if they were taken evenly.
@@ -113,8 +115,8 @@ bool JumpFinder::isEven(const MotionStretch& stretch, std::size_t i, std::size_t
 }
 
 void JumpFinder::lookAtStep(const MotionStretch& stretch, std::size_t i, std::size_t stride, MotionJumps& found) const {
+  if (goesOn(stretch, i, stride)) return;
   for (int coordinate = 0; coordinate < stretch.coordinates(); ++coordinate) {
-    if (goesOn(stretch, i, stride, coordinate)) continue;
     const double step = stretch.value(i, coordinate) - stretch.value(i - stride, coordinate);
     const Sides sides = sidesOf(stretch, i, stride, coordinate, Clock::stamps);
     ExplainedStep explained = explainedStep(sides.before, sides.after);

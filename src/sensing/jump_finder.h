@@ -27,7 +27,7 @@ private:
   };
 
   double slack(int coordinate, const ExplainedStep& explained) const;
-  bool goesOn(const MotionStretch& stretch, std::size_t i, std::size_t stride, int coordinate) const;
+  bool goesOn(const MotionStretch& stretch, std::size_t i, std::size_t stride) const;
   Sides sidesOf(const MotionStretch& stretch, std::size_t i, std::size_t stride, int coordinate, Clock clock) const;
   bool isEven(const MotionStretch& stretch, std::size_t i, std::size_t stride) const;
   void lookAtStep(const MotionStretch& stretch, std::size_t i, std::size_t stride, MotionJumps& found) const;

@@ -31,6 +31,7 @@ public:
   }
 
   double time(std::size_t i) const { return time_[i - first_]; }
+  const robot::JointVector& values(std::size_t i) const { return values_[i - first_]; }
   double value(std::size_t i, int coordinate) const { return values_[i - first_][coordinate]; }
   int coordinates() const { return static_cast<int>(values_.front().size()); }
 

@@ -77,8 +77,8 @@ UnseenJumps look(const SensingCell& cell, const scan::SampleLog& log, int thread
 TEST(JointJumps, AreNoneInScansAtAnyRateSpeedAndAcceleration) {
   const SensingCell cell = SensingCell::small();
   for (const double rate : {1000.0, 250.0, 100.0, 50.0}) {
-    for (const double acceleration : {0.2, 1.0, 3.0, 10.0}) {
-      for (const double speed : {0.02, 0.05, 0.1}) {
+    for (const double acceleration : {0.2, 1.0, 10.0}) {
+      for (const double speed : {0.05, 0.1}) {
         SCOPED_TRACE(std::to_string(rate) + " Hz, " + std::to_string(acceleration) + " m/s^2, " +
                      std::to_string(speed) + " m/s");
         const auto log = scanned(cell, rate, acceleration, speed);
@@ -115,9 +115,9 @@ TEST(JointJumps, OfAnyJointAreRefused) {
   for (std::size_t joint = 0; joint < 6; ++joint) {
     for (const double counts : {1000.0, -1000.0, 20000.0}) {
       const std::string name = "joint reading 4000 at 4.000000 s: joint_" + std::to_string(joint + 1) + " jumps by ";
-      expectInputError([&] { cell.place(slipped(log, joint, counts, place)); }, name);     // a slip
-      expectInputError([&] { cell.place(slipped(log, joint, counts, place, 1)); }, name);  // a bad reading
-      EXPECT_THROW(cell.place(slipped(log, joint, counts, place, 3)), InputError) << "bad for a while";
+      expectInputError([&] { look(cell, slipped(log, joint, counts, place)); }, name);     // a slip
+      expectInputError([&] { look(cell, slipped(log, joint, counts, place, 1)); }, name);  // a bad reading
+      EXPECT_THROW(look(cell, slipped(log, joint, counts, place, 3)), InputError) << "bad for a while";
     }
   }
 }
