@@ -17,7 +17,7 @@ Frame mounted(const MountOptions& mount, const std::string& name, const std::str
   if (mount.parent != parent) {
     throw InputError("cell." + name, "parent", inQuotes(mount.parent), "'" + parent + "'");
   }
-  return geometry::makeFrame(mount.xyz, mount.rpy);
+  return mount.frame();
 }
 
 void checkFrameNames(const robot::Robot& robot) {

@@ -88,8 +88,7 @@ bool JobOutput::hasFailedTolerance() const {
 
 JobResult JobOutput::write(const JobRequest& request, const JobOptions& options, const Timing& timing,
                            const Progress& progress) {
-  const MountOptions& workpiece = options.cell.workpiece;
-  report_.place = placeOf(path_, geometry::makeFrame(workpiece.xyz, workpiece.rpy));
+  report_.place = placeOf(path_, options.cell.workpiece.frame());
   report_.exit = isBlocked() || !report_.left_out.empty() ? 1 : 0;
   JobOptions config = options;
   addFile("report.json", formatReport(report_, fieldReferences(config), path_, verdicts_));

@@ -61,12 +61,8 @@ void noteScallop(const process::CuttingOptions& options, PathStage& stage) {
            : "scan at a smaller pitch, or plan rows over the surface with --set path.row_source=surface"));
 }
 
-Frame workObjectOf(const JobOptions& options) {
-  return geometry::makeFrame(options.cell.workpiece.xyz, options.cell.workpiece.rpy);
-}
-
 process::PlannerInput inputOf(const scan::FittedScan& scan, const std::string& frame, const JobOptions& options) {
-  return {&scan, frame, workObjectOf(options)};
+  return {&scan, frame, options.cell.workpiece.frame()};
 }
 
 /// What stands on the part because the user wants it so.
@@ -130,7 +126,7 @@ std::unique_ptr<process::Planner> makePlanner(const std::string& process, const 
 }
 
 toolpath::Region regionOf(const JobOptions& options) {
-  return toolpath::Region(options.path.region, workObjectOf(options).inverse());
+  return toolpath::Region(options.path.region, options.cell.workpiece.frame().inverse());
 }
 
 PathStage pathStage(const process::Planner& planner, const scan::FittedScan& scan, const std::string& frame,

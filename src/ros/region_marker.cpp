@@ -38,8 +38,7 @@ Marker regionMarker(const scan_to_path::pipeline::JobOptions& options, const sca
   marker.scale.x = line_width;
   marker.color.r = marker.color.b = marker.color.a = 1.0F;
   if (options.path.region.empty()) return marker;
-  const auto& workpiece = options.cell.workpiece;
-  const Frame T_base_workobject = scan_to_path::geometry::makeFrame(workpiece.xyz, workpiece.rpy);
+  const Frame T_base_workobject = options.cell.workpiece.frame();
   const double z = highest(scan, T_base_workobject.inverse());
   for (std::size_t i = 0; i <= options.path.region.size(); ++i) {
     const auto& corner = options.path.region[i % options.path.region.size()];

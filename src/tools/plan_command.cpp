@@ -69,7 +69,7 @@ std::shared_ptr<const geometry::Surface> referenceSurface(const PlanFlags& flags
   const Workpiece part = flags.reference == "s_part"
                              ? sPart()
                              : readWorkpiece(flags.reference, units, flags.reference_scale, "--reference-units");
-  return std::make_shared<geometry::PosedSurface>(part.surface, geometry::makeFrame(mount.xyz, mount.rpy));
+  return std::make_shared<geometry::PosedSurface>(part.surface, mount.frame());
 }
 
 pipeline::JobRequest requestFrom(const PlanFlags& flags, const pipeline::JobOptions& options) {

@@ -29,6 +29,8 @@ struct MountOptions {
     visit(self.xyz, Field{"xyz", "m", "position in the parent"});
     visit(self.rpy, Field{"rpy", "rad", "roll, pitch, yaw in the parent, about fixed axes", -7.0, 7.0});
   }
+
+  geometry::Frame frame() const { return geometry::makeFrame(xyz, rpy); }  ///< in the parent
 };
 
 /// The robot cell. The shipped arm, a laser looking along the flange's axis beside a ball-nosed tool, a part in front.
