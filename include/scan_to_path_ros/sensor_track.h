@@ -13,12 +13,23 @@
 
 namespace scan_to_path_ros {
 
-/// Where the sensor was at each reading of a scan: its origin and a point before it, so that what only turns it shows
-/// as well.
+/// Where the sensor is at a reading: its origin and a point before it, so that what only turns it shows as well.
+struct SensorPlace {
+  ros::Time stamp;
+  scan_to_path::geometry::Vector3 origin = scan_to_path::geometry::Vector3::Zero();  ///< in base [m]
+  scan_to_path::geometry::Vector3 ahead = scan_to_path::geometry::Vector3::Zero();   ///< in base [m]
+};
+
+SensorPlace placeOf(const ros::Time& stamp, const scan_to_path::geometry::Frame& T_base_sensor);
+
+/// Whether a sensor of at most `max_speed` [m/s] gets from one place to the other.
+bool isReached(const SensorPlace& from, const SensorPlace& to, double max_speed);
+
+/// Where the sensor was at each reading of a scan.
 class SensorTrack : public scan_to_path::sensing::MotionReadings {
 public:
   /// Leaves out what could only be reached from the last place faster than `max_speed` [m/s].
-  void add(const ros::Time& stamp, const scan_to_path::geometry::Frame& T_base_sensor, double max_speed);
+  void add(const SensorPlace& place, double max_speed);
   void clear() { places_.clear(); }
   ros::Time end() const { return places_.back().stamp; }  ///< of the last reading; needs one
 
@@ -27,12 +38,7 @@ public:
   scan_to_path::robot::JointVector valuesOf(std::size_t reading) const override;  ///< x, y, z of both points [m]
 
 private:
-  struct Place {
-    ros::Time stamp;
-    scan_to_path::geometry::Vector3 origin;
-    scan_to_path::geometry::Vector3 ahead;
-  };
-  std::vector<Place> places_;
+  std::vector<SensorPlace> places_;
 };
 
 /// Throws InputError where the sensor's motion does not explain a step (motion_jumps.h): a robot that slipped or lost

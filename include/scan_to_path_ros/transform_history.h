@@ -64,8 +64,7 @@ private:
   /// The pair of readings that was looked at last for a jump.
   struct Step {
     ros::Time before;
-    ros::Time after;
-    scan_to_path::geometry::Frame T_after = scan_to_path::geometry::Frame::Identity();
+    SensorPlace after;
     bool jumps = false;
   } step_;
   SensorTrack track_;

@@ -17,13 +17,16 @@ constexpr double resolution = 4e-6;            // [m]; four encoder counts of 0.
 
 }  // namespace
 
-void SensorTrack::add(const ros::Time& stamp, const core::geometry::Frame& T_base_sensor, double max_speed) {
-  const Place place{stamp, T_base_sensor.translation(), T_base_sensor * ahead_of_sensor};
-  if (!places_.empty()) {
-    const double reach = max_speed * (stamp - places_.back().stamp).toSec();
-    if ((place.ahead - places_.back().ahead).norm() > reach) return;
-  }
-  places_.push_back(place);
+SensorPlace placeOf(const ros::Time& stamp, const core::geometry::Frame& T_base_sensor) {
+  return {stamp, T_base_sensor.translation(), T_base_sensor * ahead_of_sensor};
+}
+
+bool isReached(const SensorPlace& from, const SensorPlace& to, double max_speed) {
+  return (to.ahead - from.ahead).norm() <= max_speed * (to.stamp - from.stamp).toSec();
+}
+
+void SensorTrack::add(const SensorPlace& place, double max_speed) {
+  if (places_.empty() || isReached(places_.back(), place, max_speed)) places_.push_back(place);
 }
 
 double SensorTrack::timeOf(std::size_t reading) const {

@@ -11,7 +11,6 @@
 namespace scan_to_path_ros {
 
 using scan_to_path::geometry::Frame;
-using scan_to_path::geometry::Vector3;
 
 TransformHistory::TransformHistory(const TransformHistoryOptions& options)
     : options_(options), buffer_(ros::Duration(options.cache)) {}
@@ -58,15 +57,12 @@ TransformHistory::Reach TransformHistory::reach(const ros::Time& stamp) {
   return jumps(before, *after) ? Reach::jump : Reach::known;
 }
 
-/// Looks at a point before the sensor, so that a jump that only turns it shows as well.
 bool TransformHistory::jumps(const ros::Time& before, const ros::Time& after) {
-  const Vector3 ahead(0.0, 0.0, 0.1);  // [m]
-  if (before == step_.before && after == step_.after) return step_.jumps;
+  if (before == step_.before && after == step_.after.stamp) return step_.jumps;
   try {
-    const Frame T_before = before == step_.after ? step_.T_after : sensorAt(before);
-    const Frame T_after = sensorAt(after);
-    const double distance = (T_after * ahead - T_before * ahead).norm();
-    step_ = {before, after, T_after, distance > options_.max_speed * (after - before).toSec()};
+    const SensorPlace from = before == step_.after.stamp ? step_.after : placeOf(before, sensorAt(before));
+    const SensorPlace to = placeOf(after, sensorAt(after));
+    step_ = {before, to, !isReached(from, to, options_.max_speed)};
     if (track_begin_.isZero()) {  // a robot that waited did so elsewhere
       track_begin_ = after - before > ros::Duration(options_.max_joint_gap) ? after : before;
     }
@@ -84,7 +80,7 @@ void TransformHistory::follow(const ros::Time& until) {
                                         : std::upper_bound(stamps.begin(), stamps.end(), track_.end());
   for (auto stamp = begin; stamp != stamps.end() && *stamp <= until; ++stamp) {
     try {
-      track_.add(*stamp, sensorAt(*stamp), options_.max_speed);
+      track_.add(placeOf(*stamp, sensorAt(*stamp)), options_.max_speed);
     } catch (const tf2::TransformException&) {
       continue;  // the sensor's other frames are not known there
     }

@@ -21,7 +21,7 @@ SensorTrack track(double off = 0.0, int last = 1000) {
   for (int i = 0; i < 200; ++i) {
     auto T_base_sensor = MovingSensor::linkAt(0.01 * i) * MovingSensor::mount();
     if (i >= 80 && i <= last) T_base_sensor.translation().z() += off;
-    track.add(MovingSensor::stamp(0.01 * i), T_base_sensor, 2.0);
+    track.add(placeOf(MovingSensor::stamp(0.01 * i), T_base_sensor), 2.0);
   }
   return track;
 }
@@ -45,12 +45,12 @@ TEST(SensorTrack, RefusesWhatMotionDoesNotExplain) {
 
 TEST(SensorTrack, LeavesOutWhatNoRobotReaches) {
   SensorTrack track;
-  track.add(MovingSensor::stamp(0.0), MovingSensor::linkAt(0.0), 2.0);
+  track.add(placeOf(MovingSensor::stamp(0.0), MovingSensor::linkAt(0.0)), 2.0);
   auto wrong = MovingSensor::linkAt(0.01);
   wrong.translation().x() += 0.021;
-  track.add(MovingSensor::stamp(0.01), wrong, 2.0);
+  track.add(placeOf(MovingSensor::stamp(0.01), wrong), 2.0);
   EXPECT_EQ(track.size(), 1U);
-  track.add(MovingSensor::stamp(0.02), MovingSensor::linkAt(0.02), 2.0);
+  track.add(placeOf(MovingSensor::stamp(0.02), MovingSensor::linkAt(0.02)), 2.0);
   EXPECT_EQ(track.size(), 2U);
   EXPECT_EQ(track.end(), MovingSensor::stamp(0.02));
   track.clear();
