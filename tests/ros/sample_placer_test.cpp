@@ -27,6 +27,15 @@ protected:
   void addReadings(int first, int last) {  // every 10 ms
     for (int i = first; i <= last; ++i) placer_.addTransform(MovingSensor::linkTransform(0.01 * i), false);
   }
+  /// Eleven readings, and a sensor that measures from `nearest` to `farthest` [m].
+  void startWithRange(double nearest, double farthest) {
+    SamplePlacerOptions options;
+    options.range_min = nearest;
+    options.range_max = farthest;
+    placer_.restart(options);
+    addMount();
+    addReadings(0, 10);
+  }
   std::size_t droppedFor(const std::string& reason) const {
     for (const auto& entry : placer_.dropped()) {
       if (entry.reason == reason) return entry.count;
@@ -171,12 +180,7 @@ TEST_F(SamplePlacerTest, DropsRangesThatAreNone) {
 
 // A driver need not know what a sensor says when it measures nothing: it rests at the end of its range.
 TEST_F(SamplePlacerTest, TakesWhatLiesOutsideTheMeasuringRangeForNone) {
-  SamplePlacerOptions options;
-  options.range_min = 0.05;
-  options.range_max = 0.15;
-  placer_.restart(options);
-  addMount();
-  addReadings(0, 10);
+  startWithRange(0.05, 0.15);
   placer_.addSamples(MovingSensor::samples(0.02, {0.0, 0.001, 0.002, 0.003, 0.004}, {0.049, 0.05, nan, 0.15, 0.151}));
   EXPECT_EQ(droppedFor("no return"), 2U);
   EXPECT_EQ(droppedFor("sensor fault"), 1U);
@@ -264,12 +268,7 @@ TEST_F(SamplePlacerTest, HandsOnCloudBeamAndCounts) {
 }
 
 TEST_F(SamplePlacerTest, KeepsWhereBeamsWithoutAReturnEnd) {
-  SamplePlacerOptions options;
-  options.range_min = 0.05;
-  options.range_max = 0.15;
-  placer_.restart(options);
-  addMount();
-  addReadings(0, 10);
+  startWithRange(0.05, 0.15);
   placer_.addSamples(MovingSensor::samples(0.02, {0.0, 0.001, 0.002, 0.1}, {infinity, 0.1, -infinity, infinity}));
   placer_.finish();
   const auto stage = placer_.take();
